@@ -1,0 +1,75 @@
+//===- ChipConfig.h - A simulated chip, resolved ----------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CHIP_CHIPCONFIG_H
+#define TP_SIMULATOR_CHIP_CHIPCONFIG_H
+
+#include "simulator/isa/Instructions.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace tp {
+
+/// A functional unit type of a TM.
+struct UnitConfig {
+  /// Operations that may start in one cycle in each TM; at least 1.
+  uint32_t Count = 1;
+  /// Initiation interval in cycles; a unit with interval k starts operations
+  /// only in cycles divisible by k.
+  uint32_t Interval = 1;
+  /// mm2 of one unit.
+  double AreaMm2 = 0;
+};
+
+/// Everything that the engine and the reports need to know of a chip. Built
+/// from a chip file by loadChip(), which has checked every value.
+struct ChipConfig {
+  std::string Name;
+  std::string Description;
+  double ClockGHz = 1;
+
+  uint32_t TmCount = 1;
+  uint32_t TpsPerTm = 1;
+  /// Cycles for which the priority among the TPs of a TM is fixed; at most
+  /// MemoryLatency. In window w the TP (w mod TpsPerTm) comes first, then the
+  /// next higher number, and so on, cyclically.
+  uint32_t ArbitrationWindow = 64;
+
+  /// Bytes of each TP's local store; a multiple of 16, at most 1 MiB.
+  uint32_t LocalStoreBytes = 0;
+  /// Global memory is [64 KiB, MemoryBytes).
+  uint64_t MemoryBytes = 0;
+  /// Cycles from the issue of a global load or atomic to its result.
+  uint32_t MemoryLatency = 100;
+
+  /// Bank of an instruction is (pc / 4) mod IcacheBanks; IcachePorts fetches
+  /// per bank and cycle in each TM.
+  uint32_t IcacheBanks = 8;
+  uint32_t IcachePorts = 2;
+  uint32_t IcacheBytes = 4096;
+
+  /// Subnormal inputs and results of float arithmetic become zero.
+  bool FlushToZero = false;
+
+  std::array<UnitConfig, NumUnits> Units{};
+  /// Cycles from issue to result by latency class; default from the ISA
+  /// definition. The class of global loads and atomics is not used: their
+  /// latency is MemoryLatency, or 1 for the local store.
+  std::array<uint32_t, NumLatencyClasses> Latency{};
+
+  /// mm2 per thread or TM, for the area table.
+  double RegisterFileAreaMm2 = 0;
+  double LocalStoreAreaMm2 = 0;
+  double IcacheAreaMm2 = 0;
+
+  uint32_t threadCount() const { return TmCount * TpsPerTm; }
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CHIP_CHIPCONFIG_H

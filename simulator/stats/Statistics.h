@@ -1,0 +1,75 @@
+//===- Statistics.h - What a simulation counts ------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_STATS_STATISTICS_H
+#define TP_SIMULATOR_STATS_STATISTICS_H
+
+#include "simulator/isa/Instructions.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tp {
+
+/// Why a thread did not issue in a cycle. Every thread-cycle is either an
+/// issue or exactly one of these.
+enum class Loss : uint8_t {
+  /// Waited for the result of a unit or of the local store.
+  Data,
+  /// Waited for the result of a load or atomic from global memory.
+  Memory,
+  /// The functional unit had no issue slot left in this cycle.
+  UnitConflict,
+  /// The instruction cache bank had no port left in this cycle.
+  IcacheConflict,
+  /// A taken branch whose target is fetched later than the next cycle.
+  Branch,
+  /// Waited at a barrier.
+  Barrier,
+  /// Waited in `sync` for its own stores to become visible.
+  Sync,
+  /// Slept.
+  Sleep,
+  /// Halted, while other threads still ran.
+  Finished,
+};
+inline constexpr unsigned NumLosses = unsigned(Loss::Finished) + 1;
+
+/// What one thread did.
+struct ThreadStatistics {
+  uint64_t Instructions = 0;
+  /// Cycle after the thread's last instruction; 0 while it has not halted.
+  uint64_t FinishCycle = 0;
+  /// Cycles lost by reason. Instructions plus their sum is the chip's cycles.
+  std::array<uint64_t, NumLosses> Lost{};
+};
+
+/// Sums over the chip. Thread-cycles unless stated otherwise.
+struct Statistics {
+  /// Cycles from the start to the last thread's halt (or to the stop).
+  uint64_t Cycles = 0;
+  /// Instructions issued, by opcode.
+  std::array<uint64_t, NumOpcodes> Executed{};
+  /// Cycles lost waiting for a result (Loss::Data and Loss::Memory), by the
+  /// opcode that produces it.
+  std::array<uint64_t, NumOpcodes> DataStall{};
+  /// Cycles lost to Loss::UnitConflict, by the opcode that had to wait.
+  std::array<uint64_t, NumOpcodes> UnitConflict{};
+  /// Passes of the profile marker instruction, by its immediate.
+  std::vector<uint64_t> Markers;
+  /// One entry per thread; the thread number is TM * TPs per TM + TP.
+  std::vector<ThreadStatistics> Threads;
+
+  /// Sum of Executed.
+  uint64_t instructions() const;
+  /// Sum over the threads of one loss.
+  uint64_t lost(Loss Reason) const;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_STATS_STATISTICS_H
