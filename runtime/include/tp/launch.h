@@ -56,6 +56,19 @@ inline constexpr uint32_t kLaunchBlockVersion = 1;
 static_assert(sizeof(LaunchBlock) == 14 * sizeof(uint32_t),
               "the launch block has one layout on every side");
 
+#ifdef __tp__
+
+extern "C" LaunchBlock __tp_launch;
+
+/// The launch block of this run.
+inline const LaunchBlock &launchBlock() { return __tp_launch; }
+
+#else
+
+const LaunchBlock &launchBlock();
+
+#endif
+
 } // namespace tp
 
 #endif // TP_LAUNCH_H
