@@ -1,0 +1,211 @@
+//===- TPInstrPatterns.td - Selection of what is not one instruction ------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+//===----------------------------------------------------------------------===//
+// Constants and addresses
+//===----------------------------------------------------------------------===//
+
+def LowHalf : SDNodeXForm<imm, [{
+  return CurDAG->getTargetConstant(N->getZExtValue() & 0xffff, SDLoc(N),
+                                   MVT::i32);
+}]>;
+def HighHalf : SDNodeXForm<imm, [{
+  return CurDAG->getTargetConstant((N->getZExtValue() >> 16) & 0xffff,
+                                   SDLoc(N), MVT::i32);
+}]>;
+def highHalfOnly : ImmLeaf<i32, [{ return (Imm & 0xffff) == 0; }]>;
+
+def : Pat<(i32 simm16:$i), (ADDI (i32 R0), simm16:$i)>;
+def : Pat<(i32 uimm16:$i), (ORI (i32 R0), uimm16:$i)>;
+def : Pat<(i32 highHalfOnly:$i), (LUI (HighHalf imm:$i))>;
+def : Pat<(i32 imm:$i), (ORI (LUI (HighHalf imm:$i)), (LowHalf imm:$i))>;
+
+foreach symbol = [tglobaladdr, tglobaltlsaddr, tconstpool, tjumptable,
+                  tblockaddress, texternalsym] in {
+  def : Pat<(TPHi symbol:$s), (LUI symbol:$s)>;
+  def : Pat<(TPLo symbol:$s), (ADDI (i32 R0), symbol:$s)>;
+  def : Pat<(add (i32 GPR:$high), (TPLo symbol:$s)), (ADDI GPR:$high, symbol:$s)>;
+}
+
+def : Pat<(TPCall (i32 tglobaladdr:$callee)), (JAL tglobaladdr:$callee)>;
+def : Pat<(TPCall (i32 texternalsym:$callee)), (JAL texternalsym:$callee)>;
+def : Pat<(TPTailCall (i32 tglobaladdr:$callee)), (TAIL_J tglobaladdr:$callee)>;
+def : Pat<(TPTailCall (i32 texternalsym:$callee)), (TAIL_J texternalsym:$callee)>;
+
+//===----------------------------------------------------------------------===//
+// Memory
+//===----------------------------------------------------------------------===//
+
+multiclass LoadPatterns<SDPatternOperator node, ValueType type,
+                        Instruction offset, Instruction indexed> {
+  def : Pat<(type (node (AddrRI (i32 GPR:$base), (i32 simm16:$offset)))),
+            (offset GPR:$base, simm16:$offset)>;
+  let AddedComplexity = 1 in
+  def : Pat<(type (node (AddrRR (i32 GPR:$base), (i32 GPR:$index)))),
+            (indexed GPR:$base, GPR:$index)>;
+}
+
+multiclass StorePatterns<SDPatternOperator node, ValueType type,
+                         RegisterClass valueClass, Instruction offset,
+                         Instruction indexed> {
+  def : Pat<(node (type valueClass:$value),
+                  (AddrRI (i32 GPR:$base), (i32 simm16:$offset))),
+            (offset valueClass:$value, GPR:$base, simm16:$offset)>;
+  let AddedComplexity = 1 in
+  def : Pat<(node (type valueClass:$value),
+                  (AddrRR (i32 GPR:$base), (i32 GPR:$index))),
+            (indexed valueClass:$value, GPR:$base, GPR:$index)>;
+}
+
+defm : LoadPatterns<load, i32, LW, LWX>;
+defm : LoadPatterns<load, f32, LWC1, LWXC1>;
+defm : LoadPatterns<sextloadi8, i32, LB, LBX>;
+defm : LoadPatterns<zextloadi8, i32, LBU, LBUX>;
+defm : LoadPatterns<extloadi8, i32, LBU, LBUX>;
+defm : LoadPatterns<sextloadi16, i32, LH, LHX>;
+defm : LoadPatterns<zextloadi16, i32, LHU, LHUX>;
+defm : LoadPatterns<extloadi16, i32, LHU, LHUX>;
+defm : StorePatterns<store, i32, GPR, SW, SWX>;
+defm : StorePatterns<store, f32, FPR, SWC1, SWXC1>;
+defm : StorePatterns<truncstorei8, i32, GPR, SB, SBX>;
+defm : StorePatterns<truncstorei16, i32, GPR, SH, SHX>;
+
+// Aligned loads and stores of up to a word are atomic as they are.
+class AtomicLoadPattern<SDPatternOperator node, Instruction instruction>
+    : Pat<(i32 (node (AddrRI (i32 GPR:$base), (i32 simm16:$offset)))),
+          (instruction GPR:$base, simm16:$offset)>;
+class AtomicStorePattern<SDPatternOperator node, Instruction instruction>
+    : Pat<(node (i32 GPR:$value),
+                (AddrRI (i32 GPR:$base), (i32 simm16:$offset))),
+          (instruction GPR:$value, GPR:$base, simm16:$offset)>;
+
+def : AtomicLoadPattern<atomic_load_azext_8, LBU>;
+def : AtomicLoadPattern<atomic_load_sext_8, LB>;
+def : AtomicLoadPattern<atomic_load_azext_16, LHU>;
+def : AtomicLoadPattern<atomic_load_sext_16, LH>;
+def : AtomicLoadPattern<atomic_load_nonext_32, LW>;
+def : AtomicStorePattern<atomic_store_8, SB>;
+def : AtomicStorePattern<atomic_store_16, SH>;
+def : AtomicStorePattern<atomic_store_32, SW>;
+
+// Atomic subtraction adds the negative; the hardware has no such instruction.
+def : Pat<(i32 (atomic_load_sub_i32 (i32 GPR:$rs), (i32 GPR:$rt))),
+          (ATOM_ADD (SUB (i32 R0), GPR:$rt), GPR:$rs)>;
+
+//===----------------------------------------------------------------------===//
+// Integer compares
+//===----------------------------------------------------------------------===//
+
+def NegatedSImm16 : SDNodeXForm<imm, [{
+  return CurDAG->getSignedTargetConstant(-N->getSExtValue(), SDLoc(N),
+                                         MVT::i32);
+}]>;
+def nonzeroSImm16 : ImmLeaf<i32, [{
+  return Imm != 0 && isInt<16>(Imm) && isInt<16>(-Imm);
+}]>;
+
+def : Pat<(i32 (seteq (i32 GPR:$a), 0)), (SLTIU GPR:$a, 1)>;
+def : Pat<(i32 (setne (i32 GPR:$a), 0)), (SLTU (i32 R0), GPR:$a)>;
+def : Pat<(i32 (seteq (i32 GPR:$a), nonzeroSImm16:$b)),
+          (SLTIU (ADDI GPR:$a, (NegatedSImm16 imm:$b)), 1)>;
+def : Pat<(i32 (setne (i32 GPR:$a), nonzeroSImm16:$b)),
+          (SLTU (i32 R0), (ADDI GPR:$a, (NegatedSImm16 imm:$b)))>;
+def : Pat<(i32 (seteq (i32 GPR:$a), (i32 GPR:$b))), (SLTIU (XOR $a, $b), 1)>;
+def : Pat<(i32 (setne (i32 GPR:$a), (i32 GPR:$b))),
+          (SLTU (i32 R0), (XOR $a, $b))>;
+def : Pat<(i32 (setgt (i32 GPR:$a), (i32 GPR:$b))), (SLT $b, $a)>;
+def : Pat<(i32 (setugt (i32 GPR:$a), (i32 GPR:$b))), (SLTU $b, $a)>;
+def : Pat<(i32 (setge (i32 GPR:$a), (i32 GPR:$b))), (XORI (SLT $a, $b), 1)>;
+def : Pat<(i32 (setuge (i32 GPR:$a), (i32 GPR:$b))), (XORI (SLTU $a, $b), 1)>;
+def : Pat<(i32 (setle (i32 GPR:$a), (i32 GPR:$b))), (XORI (SLT $b, $a), 1)>;
+def : Pat<(i32 (setule (i32 GPR:$a), (i32 GPR:$b))), (XORI (SLTU $b, $a), 1)>;
+def : Pat<(i32 (setge (i32 GPR:$a), simm16:$b)), (XORI (SLTI $a, simm16:$b), 1)>;
+def : Pat<(i32 (setuge (i32 GPR:$a), simm16:$b)),
+          (XORI (SLTIU $a, simm16:$b), 1)>;
+
+//===----------------------------------------------------------------------===//
+// Float compares whose order does not matter (no NaN expected)
+//===----------------------------------------------------------------------===//
+
+def : Pat<(i32 (seteq (f32 FPR:$a), (f32 FPR:$b))), (C_EQ_S $a, $b)>;
+def : Pat<(i32 (setne (f32 FPR:$a), (f32 FPR:$b))), (C_UNE_S $a, $b)>;
+def : Pat<(i32 (setlt (f32 FPR:$a), (f32 FPR:$b))), (C_OLT_S $a, $b)>;
+def : Pat<(i32 (setle (f32 FPR:$a), (f32 FPR:$b))), (C_OLE_S $a, $b)>;
+
+//===----------------------------------------------------------------------===//
+// Selects
+//===----------------------------------------------------------------------===//
+
+multiclass SelectPatterns<ValueType type, RegisterClass valueClass,
+                          Instruction ifNonzero, Instruction ifZero> {
+  def : Pat<(type (select (i32 (seteq (i32 GPR:$a), 0)), (type valueClass:$t),
+                          (type valueClass:$f))),
+            (ifZero valueClass:$f, valueClass:$t, GPR:$a)>;
+  def : Pat<(type (select (i32 (setne (i32 GPR:$a), 0)), (type valueClass:$t),
+                          (type valueClass:$f))),
+            (ifNonzero valueClass:$f, valueClass:$t, GPR:$a)>;
+  def : Pat<(type (select (i32 (seteq (i32 GPR:$a), (i32 GPR:$b))),
+                          (type valueClass:$t), (type valueClass:$f))),
+            (ifZero valueClass:$f, valueClass:$t, (XOR $a, $b))>;
+  def : Pat<(type (select (i32 (setne (i32 GPR:$a), (i32 GPR:$b))),
+                          (type valueClass:$t), (type valueClass:$f))),
+            (ifNonzero valueClass:$f, valueClass:$t, (XOR $a, $b))>;
+  // The negated orders cost no instruction: the other conditional move.
+  def : Pat<(type (select (i32 (setge (i32 GPR:$a), (i32 GPR:$b))),
+                          (type valueClass:$t), (type valueClass:$f))),
+            (ifZero valueClass:$f, valueClass:$t, (SLT $a, $b))>;
+  def : Pat<(type (select (i32 (setle (i32 GPR:$a), (i32 GPR:$b))),
+                          (type valueClass:$t), (type valueClass:$f))),
+            (ifZero valueClass:$f, valueClass:$t, (SLT $b, $a))>;
+  def : Pat<(type (select (i32 (setuge (i32 GPR:$a), (i32 GPR:$b))),
+                          (type valueClass:$t), (type valueClass:$f))),
+            (ifZero valueClass:$f, valueClass:$t, (SLTU $a, $b))>;
+  def : Pat<(type (select (i32 (setule (i32 GPR:$a), (i32 GPR:$b))),
+                          (type valueClass:$t), (type valueClass:$f))),
+            (ifZero valueClass:$f, valueClass:$t, (SLTU $b, $a))>;
+}
+
+defm : SelectPatterns<i32, GPR, MOVN, MOVZ>;
+defm : SelectPatterns<f32, FPR, MOVN_S, MOVZ_S>;
+
+//===----------------------------------------------------------------------===//
+// Conditional branches
+//===----------------------------------------------------------------------===//
+
+def : Pat<(brcond (i32 (setgt (i32 GPR:$a), (i32 GPR:$b))), bb:$t),
+          (BLT $b, $a, bb:$t)>;
+def : Pat<(brcond (i32 (setle (i32 GPR:$a), (i32 GPR:$b))), bb:$t),
+          (BGE $b, $a, bb:$t)>;
+def : Pat<(brcond (i32 (setugt (i32 GPR:$a), (i32 GPR:$b))), bb:$t),
+          (BLTU $b, $a, bb:$t)>;
+def : Pat<(brcond (i32 (setule (i32 GPR:$a), (i32 GPR:$b))), bb:$t),
+          (BGEU $b, $a, bb:$t)>;
+def : Pat<(brcond (i32 GPR:$condition), bb:$t),
+          (BNE GPR:$condition, (i32 R0), bb:$t)>;
+
+//===----------------------------------------------------------------------===//
+// Conversions
+//===----------------------------------------------------------------------===//
+
+def : Pat<(i32 (any_fp_to_sint (f32 FPR:$a))), (TRUNC_W_S $a)>;
+def : Pat<(i32 (any_fp_to_uint (f32 FPR:$a))), (TRUNC_WU_S $a)>;
+def : Pat<(i32 (fp_to_sint_sat (f32 FPR:$a), i32)), (TRUNC_W_S $a)>;
+def : Pat<(i32 (fp_to_uint_sat (f32 FPR:$a), i32)), (TRUNC_WU_S $a)>;
+def : Pat<(i32 (any_lrint (f32 FPR:$a))), (ROUND_W_S $a)>;
+def : Pat<(f32 (any_frint (f32 FPR:$a))), (ROUND_S $a)>;
+def : Pat<(f32 (any_fnearbyint (f32 FPR:$a))), (ROUND_S $a)>;
+
+// The C library's minimum and maximum leave the sign of zero and signalling
+// NaNs open; the TP's instructions decide them.
+def : Pat<(f32 (any_fminnum (f32 FPR:$a), (f32 FPR:$b))), (MIN_S $a, $b)>;
+def : Pat<(f32 (any_fmaxnum (f32 FPR:$a), (f32 FPR:$b))), (MAX_S $a, $b)>;
+
+//===----------------------------------------------------------------------===//
+// Traps
+//===----------------------------------------------------------------------===//
+
+def : Pat<(trap), (BREAK 0)>;
+def : Pat<(debugtrap), (BREAK 1)>;
