@@ -294,6 +294,8 @@ def main():
 
     instructions = []
     for name in instances("TPInst"):
+        if records[name]["isCodeGenOnly"]:
+            continue
         try:
             instructions.append(Instruction(name, records[name], records))
         except DefinitionError as error:
