@@ -1,0 +1,34 @@
+//===- ChipArea.h - Area of a chip by part ----------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CHIP_CHIPAREA_H
+#define TP_SIMULATOR_CHIP_CHIPAREA_H
+
+#include "simulator/chip/ChipConfig.h"
+
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// Silicon of one kind of part over the whole chip.
+struct AreaPart {
+  std::string Name;
+  uint64_t Count = 0;
+  double TotalMm2 = 0;
+};
+
+/// Every part that the chip file gives an area for: the functional units in the
+/// order of Unit, then `register_file`, `local_store` and `icache`. Wires, the
+/// memory's controllers and what else the file does not know are not in it.
+std::vector<AreaPart> chipArea(const ChipConfig &Chip);
+
+/// Sum of chipArea() in mm2.
+double totalAreaMm2(const ChipConfig &Chip);
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CHIP_CHIPAREA_H

@@ -1,0 +1,185 @@
+//===- JsonReport.cpp - A run's statistics for programs -------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/stats/JsonReport.h"
+
+#include "simulator/chip/ChipArea.h"
+
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/JSON.h"
+
+using namespace llvm;
+
+namespace tp {
+namespace {
+
+class JsonWriter {
+public:
+  JsonWriter(const RunSummary &Run, raw_ostream &OS)
+      : Run(Run), Stats(Run.Stats), Chip(Run.Chip), Json(OS, 2) {}
+
+  void write() {
+    Json.object([&] {
+      Json.attribute("format_version", JsonFormatVersion);
+      writeRun();
+      writeChip();
+      writeImage();
+      writeRays();
+      writeThreadCycles();
+      writeOpcodes();
+      writeUnits();
+      writeMarkers();
+      writeThreads();
+    });
+  }
+
+private:
+  const RunSummary &Run;
+  const Statistics &Stats;
+  const ChipConfig &Chip;
+  json::OStream Json;
+
+  void writeRun() {
+    Json.attributeObject("run", [&] {
+      Json.attribute("outcome", Run.Outcome);
+      Json.attribute("exit_status", Run.ExitStatus);
+      Json.attribute("cycles", Stats.Cycles);
+      Json.attribute("seconds_at_chip_clock", Run.seconds());
+      Json.attribute("instructions", Stats.instructions());
+      Json.attribute("issue_rate", Run.issueRate());
+      Json.attribute("instructions_per_cycle_and_tm",
+                     Run.instructionsPerCycleAndTm());
+    });
+  }
+
+  void writeChip() {
+    Json.attributeObject("chip", [&] {
+      Json.attribute("name", Chip.Name);
+      Json.attribute("clock_ghz", Chip.ClockGHz);
+      Json.attribute("tm_count", Chip.TmCount);
+      Json.attribute("tps_per_tm", Chip.TpsPerTm);
+      Json.attribute("arbitration_window_cycles", Chip.ArbitrationWindow);
+      Json.attribute("local_store_bytes", Chip.LocalStoreBytes);
+      Json.attribute("memory_bytes", Chip.MemoryBytes);
+      Json.attribute("memory_latency_cycles", Chip.MemoryLatency);
+      Json.attribute("icache_banks", Chip.IcacheBanks);
+      Json.attribute("icache_ports_per_bank", Chip.IcachePorts);
+      Json.attributeObject("area_mm2", [&] {
+        for (const AreaPart &Part : chipArea(Chip))
+          Json.attribute(Part.Name, Part.TotalMm2);
+        Json.attribute("total", totalAreaMm2(Chip));
+      });
+    });
+  }
+
+  void writeImage() {
+    if (!Run.Image)
+      return;
+    Json.attributeObject("image", [&] {
+      Json.attribute("width", Run.Image->Width);
+      Json.attribute("height", Run.Image->Height);
+      Json.attribute("samples_per_pixel", Run.Image->SamplesPerPixel);
+      Json.attribute("max_depth", Run.Image->MaxDepth);
+      Json.attribute("seed", Run.Image->Seed);
+    });
+  }
+
+  void writeRays() {
+    std::optional<RayRates> Rates = rayRates(Run);
+    if (!Rates)
+      return;
+    Json.attributeObject("rays", [&] {
+      Json.attribute("total", Rates->Rays);
+      Json.attribute("per_second", Rates->Chip);
+      Json.attribute("slowest_thread_per_second", Rates->SlowestThread);
+      Json.attribute("fastest_thread_per_second", Rates->FastestThread);
+      Json.attribute("threads_without_rays", Rates->ThreadsWithoutRays);
+    });
+  }
+
+  void writeThreadCycles() {
+    Json.attributeObject("thread_cycles", [&] {
+      Json.attribute("total", Run.threadCycles());
+      Json.attribute("issued", Stats.instructions());
+      Json.attributeObject("lost", [&] {
+        for (unsigned I = 0; I != NumLosses; ++I)
+          Json.attribute(lossName(Loss(I)), Stats.lost(Loss(I)));
+      });
+    });
+  }
+
+  void writeOpcodes() {
+    Json.attributeObject("instructions_by_opcode", [&] {
+      for (unsigned I = 0; I != NumOpcodes; ++I)
+        if (Stats.Executed[I] || Stats.DataStall[I] || Stats.UnitConflict[I])
+          Json.attributeObject(StringRef(mnemonic(Opcode(I))), [&] {
+            Json.attribute("executed", Stats.Executed[I]);
+            Json.attribute("data_stall_cycles", Stats.DataStall[I]);
+            Json.attribute("unit_conflict_cycles", Stats.UnitConflict[I]);
+          });
+    });
+  }
+
+  void writeUnits() {
+    Json.attributeObject("units", [&] {
+      for (unsigned I = 0; I != NumUnits; ++I)
+        Json.attributeObject(StringRef(unitName(Unit(I))), [&] {
+          Json.attribute("count_per_tm", Chip.Units[I].Count);
+          Json.attribute("interval_cycles", Chip.Units[I].Interval);
+          Json.attribute("operations", Run.operations(Unit(I)));
+          Json.attribute("utilisation", Run.utilisation(Unit(I)));
+        });
+    });
+    Json.attributeObject("icache", [&] {
+      Json.attribute("fetches", Stats.instructions());
+      Json.attribute("conflict_cycles", Stats.lost(Loss::IcacheConflict));
+      Json.attribute("utilisation", Run.icacheUtilisation());
+    });
+  }
+
+  void writeMarkers() {
+    Json.attributeObject("markers", [&] {
+      for (size_t I = 0; I != Stats.Markers.size(); ++I)
+        if (Stats.Markers[I] != 0)
+          Json.attribute(std::to_string(I), Stats.Markers[I]);
+    });
+  }
+
+  /// An array on one line: thousands of lines would bury the rest.
+  template <typename RangeT> void flatArray(StringRef Name, RangeT &&Values) {
+    Json.attributeBegin(Name);
+    Json.rawValue([&](raw_ostream &OS) {
+      OS << '[';
+      interleave(Values, OS, ",");
+      OS << ']';
+    });
+    Json.attributeEnd();
+  }
+
+  void writeThreads() {
+    Json.attributeObject("threads", [&] {
+      flatArray("instructions",
+                map_range(Stats.Threads, [](const ThreadStatistics &Thread) {
+                  return Thread.Instructions;
+                }));
+      flatArray("finish_cycle",
+                map_range(Stats.Threads, [](const ThreadStatistics &Thread) {
+                  return Thread.FinishCycle;
+                }));
+      if (!Run.Rays.empty())
+        flatArray("rays", Run.Rays);
+    });
+  }
+};
+
+} // namespace
+
+void writeJson(const RunSummary &Run, raw_ostream &OS) {
+  JsonWriter(Run, OS).write();
+  OS << '\n';
+}
+
+} // namespace tp

@@ -1,0 +1,151 @@
+//===- RunSummary.cpp - A run and what follows from its counts ------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/stats/RunSummary.h"
+
+#include "llvm/ADT/Twine.h"
+
+#include <algorithm>
+#include <numeric>
+
+using namespace llvm;
+
+namespace tp {
+
+const char *lossName(Loss Reason) {
+  switch (Reason) {
+  case Loss::Data:
+    return "data";
+  case Loss::Memory:
+    return "memory";
+  case Loss::UnitConflict:
+    return "unit_conflict";
+  case Loss::IcacheConflict:
+    return "icache_conflict";
+  case Loss::Branch:
+    return "branch";
+  case Loss::Barrier:
+    return "barrier";
+  case Loss::Sync:
+    return "sync";
+  case Loss::Sleep:
+    return "sleep";
+  case Loss::Finished:
+    return "finished";
+  }
+  llvm_unreachable("every loss has a name");
+}
+
+/// \p Part of \p Whole, where nothing of nothing is 0.
+static double ratio(double Part, double Whole) {
+  return Whole == 0 ? 0 : Part / Whole;
+}
+
+uint64_t RunSummary::threadCycles() const {
+  return uint64_t(Chip.threadCount()) * Stats.Cycles;
+}
+
+double RunSummary::seconds() const {
+  return double(Stats.Cycles) / (Chip.ClockGHz * 1e9);
+}
+
+double RunSummary::issueRate() const {
+  return ratio(Stats.instructions(), threadCycles());
+}
+
+double RunSummary::instructionsPerCycleAndTm() const {
+  return ratio(Stats.instructions(), double(Stats.Cycles) * Chip.TmCount);
+}
+
+uint64_t RunSummary::operations(Unit U) const {
+  uint64_t Sum = 0;
+  for (unsigned I = 0; I != NumOpcodes; ++I)
+    if (unitOf(Opcode(I)) == U)
+      Sum += Stats.Executed[I];
+  return Sum;
+}
+
+double RunSummary::utilisation(Unit U) const {
+  const UnitConfig &Config = Chip.Units[unsigned(U)];
+  return ratio(operations(U), double(Stats.Cycles) * Chip.TmCount *
+                                  Config.Count / Config.Interval);
+}
+
+double RunSummary::icacheUtilisation() const {
+  return ratio(Stats.instructions(), double(Stats.Cycles) * Chip.TmCount *
+                                         Chip.IcacheBanks * Chip.IcachePorts);
+}
+
+std::optional<RayRates> rayRates(const RunSummary &Run) {
+  RayRates Rates;
+  Rates.Rays = std::accumulate(Run.Rays.begin(), Run.Rays.end(), uint64_t(0));
+  if (Rates.Rays == 0)
+    return std::nullopt;
+  Rates.Chip = ratio(Rates.Rays, Run.seconds());
+  bool First = true;
+  for (size_t I = 0; I != Run.Rays.size(); ++I) {
+    if (Run.Rays[I] == 0) {
+      ++Rates.ThreadsWithoutRays;
+      continue;
+    }
+    uint64_t Finish = Run.Stats.Threads[I].FinishCycle;
+    double Cycles = Finish ? Finish : Run.Stats.Cycles;
+    double Rate = ratio(Run.Rays[I] * Run.Chip.ClockGHz * 1e9, Cycles);
+    Rates.SlowestThread = First ? Rate : std::min(Rates.SlowestThread, Rate);
+    Rates.FastestThread = std::max(Rates.FastestThread, Rate);
+    First = false;
+  }
+  return Rates;
+}
+
+std::vector<OpcodeCount>
+largestFirst(const std::array<uint64_t, NumOpcodes> &Counts) {
+  std::vector<OpcodeCount> Sorted;
+  for (unsigned I = 0; I != NumOpcodes; ++I)
+    if (Counts[I] != 0)
+      Sorted.push_back({Opcode(I), Counts[I]});
+  std::sort(Sorted.begin(), Sorted.end(),
+            [](const OpcodeCount &A, const OpcodeCount &B) {
+              return A.Count != B.Count ? A.Count > B.Count : A.Op < B.Op;
+            });
+  return Sorted;
+}
+
+Error checkSums(const ChipConfig &Chip, const Statistics &Stats) {
+  auto Check = [](const Twine &What, uint64_t Sum,
+                  uint64_t Expected) -> Error {
+    if (Sum == Expected)
+      return Error::success();
+    return createStringError("internal error: " + What + " add up to " +
+                             Twine(Sum) + " instead of " + Twine(Expected));
+  };
+  if (Error E = Check("the threads with statistics", Stats.Threads.size(),
+                      Chip.threadCount()))
+    return E;
+  uint64_t ThreadInstructions = 0;
+  for (size_t I = 0; I != Stats.Threads.size(); ++I) {
+    const ThreadStatistics &Thread = Stats.Threads[I];
+    ThreadInstructions += Thread.Instructions;
+    uint64_t Lost = std::accumulate(Thread.Lost.begin(), Thread.Lost.end(),
+                                    uint64_t(0));
+    if (Error E = Check("instructions and losses of thread " + Twine(I),
+                        Thread.Instructions + Lost, Stats.Cycles))
+      return E;
+  }
+  auto Sum = [](const std::array<uint64_t, NumOpcodes> &Counts) {
+    return std::accumulate(Counts.begin(), Counts.end(), uint64_t(0));
+  };
+  if (Error E = Check("instructions by opcode", Sum(Stats.Executed),
+                      ThreadInstructions))
+    return E;
+  if (Error E = Check("data stalls by opcode", Sum(Stats.DataStall),
+                      Stats.lost(Loss::Data) + Stats.lost(Loss::Memory)))
+    return E;
+  return Check("unit conflicts by opcode", Sum(Stats.UnitConflict),
+               Stats.lost(Loss::UnitConflict));
+}
+
+} // namespace tp

@@ -1,0 +1,134 @@
+//===- TableReport.cpp - A run's statistics for people --------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/stats/TableReport.h"
+
+#include "simulator/chip/ChipArea.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/Format.h"
+#include "llvm/Support/FormatVariadic.h"
+
+using namespace llvm;
+
+namespace tp {
+namespace {
+
+/// 1234567 as `1,234,567`.
+std::string grouped(uint64_t Value) { return formatv("{0:N}", Value).str(); }
+
+/// 0.1234 as `12.3 %`. Something that is not nothing never shows as `0.0 %`.
+std::string percent(double Share) {
+  if (Share > 0 && Share < 0.0005)
+    return "<0.1 %";
+  return formatv("{0:F1} %", Share * 100).str();
+}
+
+/// A count by opcode and its share of all thread-cycles, largest first.
+std::string biggest(const std::vector<OpcodeCount> &Counts, double Whole) {
+  constexpr size_t Shown = 4;
+  std::string Line;
+  for (size_t I = 0; I != std::min(Counts.size(), Shown); ++I)
+    Line += formatv("{0}{1} {2}", I ? ", " : "", mnemonic(Counts[I].Op),
+                    percent(Counts[I].Count / Whole));
+  return Line;
+}
+
+/// The counts of the opcodes for which \p Keep holds.
+template <typename Predicate>
+std::vector<OpcodeCount> only(std::vector<OpcodeCount> Counts,
+                              Predicate Keep) {
+  erase_if(Counts, [&](const OpcodeCount &C) { return !Keep(C.Op); });
+  return Counts;
+}
+
+/// True for the opcodes whose results Loss::Memory waits for.
+bool isMemory(Opcode Op) { return unitOf(Op) == Unit::MEMORY; }
+
+void writeHead(const RunSummary &Run, raw_ostream &OS) {
+  const ChipConfig &Chip = Run.Chip;
+  OS << formatv("{0}: {1} TMs x {2} TPs at {3} GHz, {4:F1} mm2\n", Chip.Name,
+                Chip.TmCount, Chip.TpsPerTm, format("%g", Chip.ClockGHz),
+                totalAreaMm2(Chip));
+  OS << formatv("run {0}, status {1}\n\n", Run.Outcome, Run.ExitStatus);
+  OS << formatv("{0,-16}{1,18}   {2:F3} ms at the chip's clock\n", "cycles",
+                grouped(Run.Stats.Cycles), Run.seconds() * 1e3);
+  OS << formatv("{0,-16}{1,18}   {2:F2} per cycle and TM\n", "instructions",
+                grouped(Run.Stats.instructions()),
+                Run.instructionsPerCycleAndTm());
+  if (std::optional<RayRates> Rates = rayRates(Run)) {
+    OS << formatv("{0,-16}{1,18}   {2:F2} Mrays/s", "rays",
+                  grouped(Rates->Rays), Rates->Chip / 1e6);
+    OS << formatv(" (threads: {0:F4} to {1:F4})\n", Rates->SlowestThread / 1e6,
+                  Rates->FastestThread / 1e6);
+  }
+  OS << '\n';
+}
+
+void writeLosses(const RunSummary &Run, raw_ostream &OS) {
+  const Statistics &Stats = Run.Stats;
+  double Whole = std::max<uint64_t>(Run.threadCycles(), 1);
+  auto Row = [&](const char *Name, uint64_t Cycles, StringRef Details) {
+    if (Cycles != 0)
+      OS << formatv("{0,-16}{1,9}   {2}\n", Name, percent(Cycles / Whole),
+                    Details);
+  };
+  std::vector<OpcodeCount> Stalls = largestFirst(Stats.DataStall);
+  OS << "thread-cycles       share   most by\n";
+  Row("issued", Stats.instructions(),
+      biggest(largestFirst(Stats.Executed), Whole));
+  Row("data", Stats.lost(Loss::Data),
+      biggest(only(Stalls, [](Opcode Op) { return !isMemory(Op); }), Whole));
+  Row("memory", Stats.lost(Loss::Memory),
+      biggest(only(Stalls, isMemory), Whole));
+  Row("unit conflict", Stats.lost(Loss::UnitConflict),
+      biggest(largestFirst(Stats.UnitConflict), Whole));
+  Row("icache conflict", Stats.lost(Loss::IcacheConflict), "");
+  Row("branch", Stats.lost(Loss::Branch), "");
+  Row("barrier", Stats.lost(Loss::Barrier), "");
+  Row("sync", Stats.lost(Loss::Sync), "");
+  Row("sleep", Stats.lost(Loss::Sleep), "");
+  Row("finished", Stats.lost(Loss::Finished), "");
+  OS << '\n';
+}
+
+void writeParts(const RunSummary &Run, raw_ostream &OS) {
+  const ChipConfig &Chip = Run.Chip;
+  std::vector<AreaPart> Area = chipArea(Chip);
+  auto Row = [&](StringRef Name, const Twine &PerTm, const Twine &Operations,
+                 const Twine &Used, double Mm2) {
+    OS << formatv("{0,-14}{1,8}{2,20}{3,10}{4,10:F2}\n", Name, PerTm.str(),
+                  Operations.str(), Used.str(), Mm2);
+  };
+  OS << "part            per TM          operations      used       mm2\n";
+  for (unsigned I = 0; I != NumUnits; ++I)
+    Row(Area[I].Name, Twine(Chip.Units[I].Count),
+        grouped(Run.operations(Unit(I))), percent(Run.utilisation(Unit(I))),
+        Area[I].TotalMm2);
+  for (size_t I = NumUnits; I != Area.size(); ++I) {
+    bool IsIcache = Area[I].Name == "icache";
+    Row(Area[I].Name, Twine(Area[I].Count / Chip.TmCount),
+        IsIcache ? grouped(Run.Stats.instructions()) : "",
+        IsIcache ? percent(Run.icacheUtilisation()) : "", Area[I].TotalMm2);
+  }
+  Row("total", "", "", "", totalAreaMm2(Chip));
+}
+
+} // namespace
+
+void writeTable(const RunSummary &Run, const HostSpeed &Speed,
+                raw_ostream &OS) {
+  writeHead(Run, OS);
+  writeLosses(Run, OS);
+  writeParts(Run, OS);
+  double Million = Run.Stats.instructions() / 1e6;
+  OS << formatv("\nsimulated in {0:F2} s on {1} host thread{2}: {3:F1} million "
+                "thread-instructions/s\n",
+                Speed.Seconds, Speed.Threads, Speed.Threads == 1 ? "" : "s",
+                Million / std::max(Speed.Seconds, 1e-9));
+}
+
+} // namespace tp

@@ -1,0 +1,28 @@
+//===- TableReport.h - A run's statistics for people ------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_STATS_TABLEREPORT_H
+#define TP_SIMULATOR_STATS_TABLEREPORT_H
+
+#include "simulator/stats/RunSummary.h"
+
+#include "llvm/Support/raw_ostream.h"
+
+namespace tp {
+
+/// How long the simulation took on the host.
+struct HostSpeed {
+  double Seconds = 0;
+  unsigned Threads = 1;
+};
+
+/// Writes one screen about \p Run: 80 columns, about 40 lines.
+void writeTable(const RunSummary &Run, const HostSpeed &Speed,
+                llvm::raw_ostream &OS);
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_STATS_TABLEREPORT_H
