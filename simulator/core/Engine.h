@@ -1,0 +1,101 @@
+//===- Engine.h - The cycle model of a chip ---------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// docs/cycle-model.md states the rules that the engine follows.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_ENGINE_H
+#define TP_SIMULATOR_CORE_ENGINE_H
+
+#include "simulator/chip/ChipConfig.h"
+#include "simulator/core/Memory.h"
+#include "simulator/core/Program.h"
+#include "simulator/core/Trap.h"
+#include "simulator/stats/Statistics.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tp {
+
+/// How far a run is.
+struct Progress {
+  uint64_t Cycles = 0;
+  /// Thread-instructions issued.
+  uint64_t Instructions = 0;
+  uint32_t HaltedThreads = 0;
+};
+
+/// How a run ended.
+struct RunResult {
+  enum EndKind {
+    /// All threads halted.
+    Halted,
+    /// A thread trapped; see TrapInfo.
+    Trapped,
+    /// MaxCycles cycles were simulated.
+    CycleLimit,
+    /// The stop flag was set.
+    Stopped,
+  };
+  EndKind End = Halted;
+  /// The first non-zero status in thread order, or 0; 1 after a trap.
+  int ExitStatus = 0;
+  std::optional<Trap> TrapInfo;
+};
+
+/// Receives what the program writes: the file descriptor (1 or 2) and bytes.
+using OutputFunction = std::function<void(int Fd, std::string_view Bytes)>;
+using ProgressFunction = std::function<void(const Progress &)>;
+
+class EngineImplementation;
+
+/// Simulates a program on a chip, cycle by cycle. Cycles, memory, output and
+/// statistics depend on nothing but chip, program and memory contents.
+class Engine {
+public:
+  /// Program and memory must outlive the engine.
+  Engine(const ChipConfig &Chip, const Program &Text, Memory &Global);
+  ~Engine();
+
+  /// Why this chip cannot be simulated (a latency or count beyond what the
+  /// engine can represent, no room on the host); empty if it can. Check it
+  /// before run().
+  const std::string &error() const { return Error; }
+
+  /// Threads of the host to use; 1 at first. They change nothing but speed.
+  void setHostThreads(unsigned Count);
+  /// Where host calls write; without it output is dropped.
+  void setOutput(OutputFunction Function);
+
+  /// Runs until all threads have halted, one trapped, \p MaxCycles cycles were
+  /// simulated (0: no limit), or \p *Stop became true. Calls \p Report about
+  /// ten times a second. May be called once.
+  RunResult run(uint64_t MaxCycles = 0, const std::atomic<bool> *Stop = nullptr,
+                const ProgressFunction &Report = {});
+
+  /// The counts up to the end of the run.
+  const Statistics &statistics() const { return Counts; }
+
+  /// A register of a thread, 0..31 integer, 32..63 float.
+  uint32_t registerOf(uint32_t Thread, unsigned Register) const;
+  /// Status that a thread halted with.
+  int32_t statusOf(uint32_t Thread) const;
+
+private:
+  std::unique_ptr<EngineImplementation> Implementation;
+  std::string Error;
+  Statistics Counts;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_ENGINE_H

@@ -1,0 +1,45 @@
+//===- Program.h - A program's text, decoded --------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_PROGRAM_H
+#define TP_SIMULATOR_CORE_PROGRAM_H
+
+#include "simulator/isa/Instructions.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tp {
+
+/// The text of a program, decoded once. Text is read-only for the program.
+class Program {
+public:
+  /// \p Words is the text; its first word is at address \p TextBegin (a
+  /// multiple of 4). Threads start at \p Entry. Stores to
+  /// [TextBegin, ReadOnlyEnd) trap; the text is always part of it.
+  Program(uint32_t TextBegin, std::span<const uint32_t> Words, uint32_t Entry,
+          uint32_t ReadOnlyEnd = 0);
+
+  uint32_t textBegin() const { return TextBegin; }
+  uint32_t textEnd() const {
+    return TextBegin + uint32_t(Decoded.size()) * 4;
+  }
+  uint32_t entry() const { return Entry; }
+  uint32_t readOnlyEnd() const { return ReadOnlyEnd; }
+  /// One per word of the text.
+  std::span<const Instruction> instructions() const { return Decoded; }
+
+private:
+  uint32_t TextBegin;
+  uint32_t Entry;
+  uint32_t ReadOnlyEnd;
+  std::vector<Instruction> Decoded;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_PROGRAM_H
