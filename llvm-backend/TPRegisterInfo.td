@@ -39,14 +39,28 @@ def FPR : RegisterClass<"TP", [f32], 32,
 
 include "llvm/TableGen/SearchableTable.td"
 
-class TPSpecialRegister<bits<5> encoding, string name, string meaning>
-    : SearchableTable {
-  let SearchableFields = ["Encoding", "Name"];
-  let EnumNameField = "Name";
+class TPSpecialRegister<bits<5> encoding, string name, string meaning> {
   bits<5> Encoding = encoding;
   string Name = name;
   // For the manual.
   string Meaning = meaning;
+}
+
+def SpecialRegisterEncoding : GenericEnum {
+  let FilterClass = "TPSpecialRegister";
+  let NameField = "Name";
+  let ValueField = "Encoding";
+}
+def SpecialRegisters : GenericTable {
+  let FilterClass = "TPSpecialRegister";
+  let CppTypeName = "SpecialRegister";
+  let Fields = ["Encoding", "Name"];
+  let PrimaryKey = ["Encoding"];
+  let PrimaryKeyName = "lookupByEncoding";
+}
+def lookupByName : SearchIndex {
+  let Table = SpecialRegisters;
+  let Key = ["Name"];
 }
 
 def : TPSpecialRegister<0, "thread", "number of this thread in the chip: tm x ntp + tp">;

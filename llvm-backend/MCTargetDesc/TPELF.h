@@ -1,0 +1,39 @@
+//===- TPELF.h - ELF numbers of the TP --------------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_LLVM_BACKEND_MCTARGETDESC_TPELF_H
+#define TP_LLVM_BACKEND_MCTARGETDESC_TPELF_H
+
+#include "llvm/ADT/StringRef.h"
+#include <cstdint>
+
+namespace llvm {
+namespace TPELF {
+
+/// e_machine of TP objects and executables ("TP"; not registered).
+inline constexpr uint16_t EM_TP = 0x5450;
+
+/// Types of relocations; see TPRelocations.def for what each one writes.
+enum Relocation : uint32_t {
+#define TP_RELOC(Name, Value) Name = Value,
+#include "llvm-backend/MCTargetDesc/TPRelocations.def"
+};
+
+/// The name of a relocation type, or an empty string if there is none.
+inline StringRef getRelocationName(uint32_t Type) {
+  switch (Type) {
+#define TP_RELOC(Name, Value)                                                  \
+  case Value:                                                                  \
+    return #Name;
+#include "llvm-backend/MCTargetDesc/TPRelocations.def"
+  }
+  return {};
+}
+
+} // namespace TPELF
+} // namespace llvm
+
+#endif // TP_LLVM_BACKEND_MCTARGETDESC_TPELF_H
