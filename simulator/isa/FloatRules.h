@@ -1,0 +1,92 @@
+//===- FloatRules.h - The TP's float arithmetic -----------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// IEEE-754 binary32, round to nearest even; every NaN that arithmetic makes is
+// the canonical one. Compile what includes this with -ffp-contract=off.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_ISA_FLOATRULES_H
+#define TP_SIMULATOR_ISA_FLOATRULES_H
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace tp {
+
+inline constexpr uint32_t CanonicalNaN = 0x7FC00000;
+inline constexpr uint32_t FloatSignBit = 0x80000000;
+
+/// The value of a register as an operand of type T sees it, and back.
+template <class T> constexpr T fromBits(uint32_t Bits) {
+  return std::bit_cast<T>(Bits);
+}
+template <class T> constexpr uint32_t toBits(T Value) {
+  return std::bit_cast<uint32_t>(Value);
+}
+
+/// A subnormal becomes zero of the same sign.
+inline float flushSubnormal(float Value) {
+  constexpr float SmallestNormal = std::numeric_limits<float>::min();
+  return std::fabs(Value) < SmallestNormal ? std::copysign(0.0f, Value) : Value;
+}
+
+/// What happens to the operands and results of arithmetic, conversion and
+/// compare instructions; \p FlushToZero is the chip's option.
+template <bool FlushToZero> struct FloatRules {
+  static float operand(float Value) {
+    return FlushToZero ? flushSubnormal(Value) : Value;
+  }
+  static float result(float Value) {
+    if constexpr (FlushToZero)
+      Value = flushSubnormal(Value);
+    return Value != Value ? std::bit_cast<float>(CanonicalNaN) : Value;
+  }
+};
+
+/// IEEE 754-2019 minimumNumber: a NaN loses against a number, -0 < +0.
+inline float minimumNumber(float A, float B) {
+  if (A != A)
+    return B;
+  if (A == B)
+    return std::signbit(A) ? A : B;
+  return B < A ? B : A;
+}
+
+/// IEEE 754-2019 maximumNumber: a NaN loses against a number, -0 < +0.
+inline float maximumNumber(float A, float B) {
+  if (A != A)
+    return B;
+  if (A == B)
+    return std::signbit(A) ? B : A;
+  return B > A ? B : A;
+}
+
+/// An integral float as int32_t; saturates, NaN gives 0.
+inline int32_t saturateToSigned(float Integral) {
+  if (Integral != Integral)
+    return 0;
+  if (Integral >= 0x1p31f)
+    return std::numeric_limits<int32_t>::max();
+  if (Integral < -0x1p31f)
+    return std::numeric_limits<int32_t>::min();
+  return int32_t(Integral);
+}
+
+/// An integral float as uint32_t; saturates, NaN gives 0.
+inline uint32_t saturateToUnsigned(float Integral) {
+  if (!(Integral > 0))
+    return 0;
+  if (Integral >= 0x1p32f)
+    return std::numeric_limits<uint32_t>::max();
+  return uint32_t(Integral);
+}
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_ISA_FLOATRULES_H
