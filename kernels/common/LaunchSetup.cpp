@@ -1,0 +1,103 @@
+//===- LaunchSetup.cpp - Preparing a rendering kernel's run ---------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/common/LaunchSetup.h"
+
+#include "kernels/common/SceneFlattener.h"
+#include "kernels/common/SceneLayout.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+namespace tp {
+
+static Status checkRange(const char *Option, const char *What, uint32_t Value,
+                         uint32_t Limit) {
+  if (Value >= 1 && Value <= Limit)
+    return success();
+  return Error{std::string(Option) + ": " + What + " must be from 1 to " +
+               std::to_string(Limit) + ", not " + std::to_string(Value)};
+}
+
+Status checkRenderOptions(const RenderOptions &Options) {
+  for (Status Check :
+       {checkRange("--size", "the width", Options.Width, kMaxImageSide),
+        checkRange("--size", "the height", Options.Height, kMaxImageSide),
+        checkRange("--spp", "samples per pixel", Options.SamplesPerPixel,
+                   kMaxSamplesPerPixel),
+        checkRange("--depth", "the depth", Options.MaxDepth, kMaxPathDepth)})
+    if (!Check)
+      return Check;
+  return success();
+}
+
+Status parseImageSize(std::string_view Text, RenderOptions &Options) {
+  const char *const End = Text.data() + Text.size();
+  const auto Width = std::from_chars(Text.data(), End, Options.Width);
+  const bool HasSecond =
+      Width.ec == std::errc() && Width.ptr != End && *Width.ptr == 'x';
+  if (HasSecond) {
+    const auto Height = std::from_chars(Width.ptr + 1, End, Options.Height);
+    if (Height.ec == std::errc() && Height.ptr == End)
+      return checkRenderOptions(Options);
+  }
+  return Error{"--size: '" + std::string(Text) +
+               "' is not of the form WIDTHxHEIGHT, as in 256x256"};
+}
+
+ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,
+                                 const RenderOptions &Options,
+                                 uint32_t ThreadCount, LaunchMemory &Memory) {
+  const std::vector<uint8_t> Block = flattenScene(Source);
+  const size_t PixelBytes =
+      size_t(Options.Width) * Options.Height * sizeof(uint32_t);
+  LaunchBlock Launch{};
+  Launch.Version = kLaunchBlockVersion;
+  Launch.Scene = Memory.allocate(Block.size(), kSceneAlignment);
+  Launch.Framebuffer = Memory.allocate(PixelBytes, sizeof(uint32_t));
+  Launch.RayCounts =
+      Memory.allocate(ThreadCount * sizeof(uint32_t), sizeof(uint32_t));
+  Launch.WorkCounter = Memory.allocate(sizeof(uint32_t), sizeof(uint32_t));
+  if (!Launch.Scene || !Launch.Framebuffer || !Launch.RayCounts ||
+      !Launch.WorkCounter)
+    return Error{"the scene (" + std::to_string(Block.size()) +
+                 " bytes) and the picture (" + std::to_string(PixelBytes) +
+                 " bytes) do not fit in the chip's memory"};
+  Memory.write(Launch.Scene, Block.data(), Block.size());
+  Launch.Width = Options.Width;
+  Launch.Height = Options.Height;
+  Launch.SamplesPerPixel = Options.SamplesPerPixel;
+  Launch.MaxDepth = Options.MaxDepth;
+  Launch.Seed = Options.Seed;
+  return Launch;
+}
+
+Image readFramebuffer(const LaunchBlock &Launch, const LaunchMemory &Memory) {
+  Image Picture{Launch.Width, Launch.Height, {}};
+  Picture.Pixels.resize(size_t(Launch.Width) * Launch.Height);
+  Memory.read(Launch.Framebuffer, Picture.Pixels.data(),
+              Picture.Pixels.size() * sizeof(uint32_t));
+  return Picture;
+}
+
+std::vector<uint32_t> readRayCounts(const LaunchBlock &Launch,
+                                    uint32_t ThreadCount,
+                                    const LaunchMemory &Memory) {
+  std::vector<uint32_t> Counts(ThreadCount);
+  Memory.read(Launch.RayCounts, Counts.data(),
+              Counts.size() * sizeof(uint32_t));
+  return Counts;
+}
+
+uint32_t readPixelsTaken(const LaunchBlock &Launch,
+                         const LaunchMemory &Memory) {
+  uint32_t Taken = 0;
+  Memory.read(Launch.WorkCounter, &Taken, sizeof(Taken));
+  return std::min(Taken, Launch.Width * Launch.Height);
+}
+
+} // namespace tp

@@ -1,0 +1,167 @@
+//===- SceneFlattener.cpp - From a scene to its memory block --------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/common/SceneFlattener.h"
+
+#include "kernels/bvh/BvhBuilder.h"
+#include "kernels/common/LightTable.h"
+#include "kernels/common/SceneLayout.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+namespace tp {
+
+namespace {
+
+/// Collects arrays behind a header, each at an aligned offset.
+class BlockWriter {
+public:
+  BlockWriter() : Bytes(sizeof(SceneHeader)) {}
+
+  template <typename T> uint32_t append(const std::vector<T> &Records) {
+    const size_t Offset =
+        (Bytes.size() + kSceneAlignment - 1) / kSceneAlignment *
+        kSceneAlignment;
+    const size_t Size = Records.size() * sizeof(T);
+    assert(Offset + Size <= UINT32_MAX && "the loader bounds scenes");
+    Bytes.resize(Offset + Size);
+    if (Size != 0)
+      std::memcpy(Bytes.data() + Offset, Records.data(), Size);
+    return uint32_t(Offset);
+  }
+
+  std::vector<uint8_t> finish(SceneHeader Header) {
+    Header.ByteCount = uint32_t(Bytes.size());
+    std::memcpy(Bytes.data(), &Header, sizeof(Header));
+    return std::move(Bytes);
+  }
+
+private:
+  std::vector<uint8_t> Bytes;
+};
+
+} // namespace
+
+/// The largest magnitude of any coordinate that rays start from or end at.
+static float largestCoordinate(const Scene &Source) {
+  float Largest = 0;
+  auto Consider = [&](Vector3 Point) {
+    Largest = std::max({Largest, std::abs(Point.X), std::abs(Point.Y),
+                        std::abs(Point.Z)});
+  };
+  Consider(Source.Camera.Position);
+  for (const Triangle &Shape : Source.Triangles)
+    for (Vector3 Vertex : Shape.Vertices)
+      Consider(Vertex);
+  return Largest;
+}
+
+static std::vector<BoundingBox> boundTriangles(const Scene &Source,
+                                               float Padding) {
+  std::vector<BoundingBox> Boxes;
+  Boxes.reserve(Source.Triangles.size());
+  const Vector3 Margin = {Padding, Padding, Padding};
+  for (const Triangle &Shape : Source.Triangles) {
+    BoundingBox Box;
+    for (Vector3 Vertex : Shape.Vertices)
+      Box.extend(Vertex);
+    Boxes.push_back({Box.Lower - Margin, Box.Upper + Margin});
+  }
+  return Boxes;
+}
+
+using Double3 = std::array<double, 3>;
+
+static Double3 toDouble(Vector3 V) { return {V.X, V.Y, V.Z}; }
+static Double3 subtract(Double3 A, Double3 B) {
+  return {A[0] - B[0], A[1] - B[1], A[2] - B[2]};
+}
+static Double3 crossProduct(Double3 A, Double3 B) {
+  return {A[1] * B[2] - A[2] * B[1], A[2] * B[0] - A[0] * B[2],
+          A[0] * B[1] - A[1] * B[0]};
+}
+static double dotProduct(Double3 A, Double3 B) {
+  return A[0] * B[0] + A[1] * B[1] + A[2] * B[2];
+}
+/// The row Direction / Divisor that is 0 at \p Zero.
+static PlaneEquation makeRow(Double3 Direction, double Divisor, Double3 Zero) {
+  for (double &Component : Direction)
+    Component /= Divisor;
+  return {{float(Direction[0]), float(Direction[1]), float(Direction[2])},
+          float(-dotProduct(Direction, Zero))};
+}
+
+static TriangleRecord makeTriangle(const Triangle &Shape, Vector3 BaseColor) {
+  const Double3 Vertex = toDouble(Shape.Vertices[0]);
+  const Double3 EdgeA = subtract(toDouble(Shape.Vertices[1]), Vertex);
+  const Double3 EdgeB = subtract(toDouble(Shape.Vertices[2]), Vertex);
+  const Double3 Normal = crossProduct(EdgeA, EdgeB);
+  const double LengthSquared = dotProduct(Normal, Normal);
+  TriangleRecord Record;
+  Record.Plane = makeRow(Normal, std::sqrt(LengthSquared), Vertex);
+  Record.U = makeRow(crossProduct(EdgeB, Normal), LengthSquared, Vertex);
+  Record.V = makeRow(crossProduct(Normal, EdgeA), LengthSquared, Vertex);
+  Record.BaseColor = BaseColor;
+  Record.Material = Shape.Material;
+  return Record;
+}
+
+static CameraRecord makeCamera(const Camera &Source) {
+  const float HalfHeight =
+      float(std::tan(double(Source.VerticalFieldOfView) / 2));
+  return {Source.Position, Source.Right * HalfHeight, Source.Up * HalfHeight,
+          Source.Forward};
+}
+
+std::vector<uint8_t> flattenScene(const Scene &Source) {
+  const uint32_t Count = uint32_t(Source.Triangles.size());
+  const float Largest = largestCoordinate(Source);
+  // The slab test's subtraction and multiplication err by less than 2^-22 of
+  // the largest coordinate; a few times that makes it miss nothing.
+  const std::vector<BoundingBox> Boxes =
+      boundTriangles(Source, Largest * 0x1p-20f);
+  std::vector<uint32_t> Order(Count);
+  std::vector<BvhNode> Nodes(Count - 1);
+  BvhStorage Storage{Boxes.data(), Count, Order.data(), Nodes.data(), 0};
+  SceneHeader Header{};
+  Header.Root = buildBvh(Storage);
+  Nodes.resize(Storage.NodeCount);
+
+  std::vector<TriangleRecord> Triangles;
+  Triangles.reserve(Count);
+  for (uint32_t Number : Order) {
+    const Triangle &Shape = Source.Triangles[Number];
+    Triangles.push_back(
+        makeTriangle(Shape, Source.Materials[Shape.Material].BaseColor));
+  }
+  std::vector<MaterialRecord> Materials;
+  for (const Material &Surface : Source.Materials)
+    Materials.push_back({Surface.Emission, 0});
+  const LightTable Lights = makeLightTable(Source);
+
+  BlockWriter Block;
+  Header.Version = kSceneVersion;
+  Header.NodesOffset = Block.append(Nodes);
+  Header.NodeCount = uint32_t(Nodes.size());
+  Header.TrianglesOffset = Block.append(Triangles);
+  Header.TriangleCount = Count;
+  Header.MaterialsOffset = Block.append(Materials);
+  Header.MaterialCount = uint32_t(Materials.size());
+  Header.LightsOffset = Block.append(Lights.Records);
+  Header.LightChoicesOffset = Block.append(Lights.Choices);
+  Header.LightCount = uint32_t(Lights.Records.size());
+  Header.Camera = makeCamera(Source.Camera);
+  // A hit point errs by some 2^-22 of the largest coordinate.
+  Header.SurfaceOffset = Largest * 0x1p-16f;
+  Header.LightScale = float(Lights.TotalArea / M_PI);
+  return Block.finish(Header);
+}
+
+} // namespace tp

@@ -1,0 +1,23 @@
+//===- SceneFlattener.h - From a scene to its memory block ------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_COMMON_SCENEFLATTENER_H
+#define TP_KERNELS_COMMON_SCENEFLATTENER_H
+
+#include "scenes/loader/Scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tp {
+
+/// The scene as SceneLayout.h describes it, with its BVH. The block must be
+/// placed at a multiple of kSceneAlignment.
+std::vector<uint8_t> flattenScene(const Scene &Source);
+
+} // namespace tp
+
+#endif // TP_KERNELS_COMMON_SCENEFLATTENER_H

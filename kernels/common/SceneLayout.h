@@ -1,0 +1,184 @@
+//===- SceneLayout.h - A scene as one block of memory -----------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// A flattened scene is one block of bytes that means the same wherever it lies:
+// a SceneHeader, and arrays that the header finds by their distance in bytes
+// from the block's start. Host and TP share these structures. Records are 64
+// bytes (a shift finds one), aligned to 64 bytes.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_COMMON_SCENELAYOUT_H
+#define TP_KERNELS_COMMON_SCENELAYOUT_H
+
+#include "kernels/common/Vector3.h"
+
+#include <stdint.h>
+
+namespace tp {
+
+/// Which child a BvhNode has: another node, or a range of triangles.
+///   node:  0 | byte offset of the node from the node array's start : 31
+///   leaf:  1 | first triangle : 27 | number of triangles, 1 to 15 : 4
+using BvhReference = uint32_t;
+
+inline constexpr uint32_t kMaxLeafTriangles = 15;
+inline constexpr uint32_t kMaxBvhTriangles = 1u << 27;
+/// More nodes than this do not fit in a reference.
+inline constexpr uint32_t kMaxBvhNodes = 1u << 25;
+/// Inner nodes on the way from the root to any leaf, at most; a traversal's
+/// stack needs no more entries.
+inline constexpr uint32_t kMaxBvhDepth = 48;
+
+constexpr bool isLeaf(BvhReference Reference) {
+  return static_cast<int32_t>(Reference) < 0;
+}
+constexpr BvhReference leafReference(uint32_t First, uint32_t Count) {
+  return 0x80000000u | First << 4 | Count;
+}
+constexpr uint32_t leafFirst(BvhReference Leaf) {
+  return (Leaf & 0x7FFFFFFFu) >> 4;
+}
+constexpr uint32_t leafCount(BvhReference Leaf) { return Leaf & 15u; }
+
+/// An inner node: the boxes of its two children, so that one visit decides on
+/// both with one wait for memory.
+struct BvhNode {
+  /// [axis][0 = lower, 1 = upper side][child]: with the side chosen by the
+  /// ray's sign, both children's near planes lie side by side.
+  float Bounds[3][2][2];
+  BvhReference Child[2];
+  uint32_t Reserved[2];
+};
+
+/// The byte offset in a BvhNode of the lower bounds of \p Axis, and the distance
+/// from there to the upper bounds.
+constexpr uint32_t boundsOffset(uint32_t Axis) { return Axis * 16; }
+inline constexpr uint32_t kBoundsSideBytes = 8;
+
+/// A plane, or one row of an affine map: Direction . P + Offset.
+struct PlaneEquation {
+  Vector3 Direction;
+  float Offset = 0;
+};
+
+/// A triangle in the form that intersects with the fewest operations: its plane
+/// with a unit normal, and the barycentric coordinates U (of vertex 1) and V (of
+/// vertex 2) as functions of the hit point. After D. Baldwin and M. Weber, "Fast
+/// Ray-Triangle Intersections by Coordinate Transformation", JCGT 5(3), 2016,
+/// without their reduction of the plane's row.
+struct TriangleRecord {
+  PlaneEquation Plane;
+  PlaneEquation U;
+  PlaneEquation V;
+  /// A copy of the material's, to save a dependent load.
+  Vector3 BaseColor;
+  uint32_t Material;
+};
+
+struct MaterialRecord {
+  Vector3 Emission;
+  uint32_t Reserved;
+};
+
+/// A triangle that emits light.
+struct LightRecord {
+  Vector3 Vertex;
+  /// From Vertex to the other two.
+  Vector3 Edges[2];
+  Vector3 UnitNormal;
+  Vector3 Emission;
+  uint32_t Reserved;
+};
+
+/// One cell of the table that picks lights in proportion to their area: the
+/// light of the cell's own number with probability Keep / 2^32, else Alias.
+/// After M. Vose, "A Linear Algorithm for Generating Random Numbers with a Given
+/// Distribution", IEEE TSE 17(9), 1991.
+struct LightChoice {
+  uint32_t Keep;
+  uint32_t Alias;
+};
+
+/// A pinhole camera: the ray through the point (X, Y) of the picture, both from
+/// -1 (left, bottom) to 1, has the direction Forward + X * aspect * Right +
+/// Y * Up.
+struct CameraRecord {
+  Vector3 Position;
+  /// Right and Up have the length of half the picture's height at distance 1.
+  Vector3 Right;
+  Vector3 Up;
+  Vector3 Forward;
+};
+
+struct SceneHeader {
+  /// kSceneVersion of the writer.
+  uint32_t Version;
+  /// Of the whole block.
+  uint32_t ByteCount;
+
+  uint32_t NodesOffset;
+  uint32_t NodeCount;
+  uint32_t TrianglesOffset;
+  uint32_t TriangleCount;
+  uint32_t MaterialsOffset;
+  uint32_t MaterialCount;
+  uint32_t LightsOffset;
+  uint32_t LightChoicesOffset;
+  /// Of both arrays; 0 in a scene without light.
+  uint32_t LightCount;
+  /// The root of the BVH; a leaf if the scene has few triangles.
+  BvhReference Root;
+
+  CameraRecord Camera;
+  /// Distance from a surface at which rays start that leave it: more than the
+  /// rounding errors of a hit point.
+  float SurfaceOffset;
+  /// Area of all lights / pi: the factor between the integrand at a uniformly
+  /// chosen light point and the light reflected by a white surface.
+  float LightScale;
+  uint32_t Reserved[6];
+};
+
+inline constexpr uint32_t kSceneVersion = 1;
+inline constexpr uint32_t kSceneAlignment = 64;
+
+static_assert(sizeof(BvhNode) == 64 && sizeof(TriangleRecord) == 64 &&
+                  sizeof(LightRecord) == 64 && sizeof(MaterialRecord) == 16 &&
+                  sizeof(LightChoice) == 8 && sizeof(SceneHeader) == 128,
+              "host and TP share one layout");
+static_assert(__builtin_offsetof(BvhNode, Child) == 48 &&
+                  __builtin_offsetof(SceneHeader, Camera) == 48 &&
+                  __builtin_offsetof(TriangleRecord, BaseColor) == 48,
+              "host and TP share one layout");
+
+/// The arrays of a flattened scene as pointers.
+struct SceneView {
+  const SceneHeader *Header;
+  const char *Nodes;
+  const TriangleRecord *Triangles;
+  const MaterialRecord *Materials;
+  const LightRecord *Lights;
+  const LightChoice *LightChoices;
+
+  explicit SceneView(const void *Block)
+      : Header(static_cast<const SceneHeader *>(Block)),
+        Nodes(at<char>(Header->NodesOffset)),
+        Triangles(at<TriangleRecord>(Header->TrianglesOffset)),
+        Materials(at<MaterialRecord>(Header->MaterialsOffset)),
+        Lights(at<LightRecord>(Header->LightsOffset)),
+        LightChoices(at<LightChoice>(Header->LightChoicesOffset)) {}
+
+private:
+  template <typename T> const T *at(uint32_t Offset) const {
+    return reinterpret_cast<const T *>(reinterpret_cast<const char *>(Header) +
+                                       Offset);
+  }
+};
+
+} // namespace tp
+
+#endif // TP_KERNELS_COMMON_SCENELAYOUT_H

@@ -1,0 +1,97 @@
+//===- NativeRunner.cpp - Runs a rendering kernel on the host -------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/common/LaunchSetup.h"
+#include "kernels/native/RunnerOptions.h"
+#include "runtime/host/HostRuntime.h"
+#include "scenes/image/PngWriter.h"
+#include "scenes/loader/SceneLoader.h"
+
+#include <chrono>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <numeric>
+
+/// The kernel's `main`, compiled with -Dmain=tpKernelMain.
+int tpKernelMain();
+
+using namespace tp;
+
+namespace {
+
+class HostMemory : public LaunchMemory {
+public:
+  DeviceAddress allocate(size_t Bytes, uint32_t Alignment) override {
+    return Bytes <= UINT32_MAX ? host::allocate(uint32_t(Bytes), Alignment) : 0;
+  }
+  void write(DeviceAddress Address, const void *Source,
+             size_t Bytes) override {
+    std::memcpy(host::hostPointer(Address), Source, Bytes);
+  }
+  void read(DeviceAddress Address, void *Target, size_t Bytes) const override {
+    std::memcpy(Target, host::hostPointer(Address), Bytes);
+  }
+};
+
+} // namespace
+
+static const char *baseName(const char *Path) {
+  const char *Slash = std::strrchr(Path, '/');
+  return Slash ? Slash + 1 : Path;
+}
+
+static int fail(const char *Program, const std::string &Message) {
+  std::fprintf(stderr, "%s: error: %s\n", Program, Message.c_str());
+  return 1;
+}
+
+static void reportSpeed(uint64_t Rays, double Seconds) {
+  std::fprintf(stderr,
+               "%" PRIu64 " rays in %.3f s: %.2f million rays per second\n",
+               Rays, Seconds, double(Rays) / Seconds / 1e6);
+}
+
+int main(int ArgumentCount, char **Arguments) {
+  const char *Program = baseName(Arguments[0]);
+  const ErrorOr<RunnerOptions> Options =
+      parseRunnerOptions(ArgumentCount, Arguments);
+  if (!Options)
+    return fail(Program, Options.message());
+  if (Options->Help) {
+    std::fputs(runnerUsage(Program).c_str(), stdout);
+    return 0;
+  }
+
+  const ErrorOr<Scene> Source = loadScene(Options->ScenePath);
+  if (!Source)
+    return fail(Program, Source.message());
+  for (const std::string &Warning : Source->Warnings)
+    std::fprintf(stderr, "%s: warning: %s: %s\n", Program,
+                 Options->ScenePath.c_str(), Warning.c_str());
+  HostMemory Memory;
+  const ErrorOr<LaunchBlock> Launch =
+      setUpLaunch(*Source, Options->Render, Options->Threads, Memory);
+  if (!Launch)
+    return fail(Program, Launch.message());
+
+  const auto Start = std::chrono::steady_clock::now();
+  if (const int Status = runOnHost(tpKernelMain, Options->Threads, *Launch))
+    return Status;
+  const std::chrono::duration<double> Elapsed =
+      std::chrono::steady_clock::now() - Start;
+  const std::vector<uint32_t> Counts =
+      readRayCounts(*Launch, Options->Threads, Memory);
+  reportSpeed(std::accumulate(Counts.begin(), Counts.end(), uint64_t(0)),
+              Elapsed.count());
+
+  if (Options->OutputPath.empty())
+    return 0;
+  const Image Picture = readFramebuffer(*Launch, Memory);
+  if (Status Written = writePng(Options->OutputPath, Picture); !Written)
+    return fail(Program, Written.message());
+  return 0;
+}

@@ -1,0 +1,111 @@
+//===- RunnerOptions.cpp - Command line of the native runner --------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/native/RunnerOptions.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <getopt.h>
+#include <thread>
+
+namespace tp {
+
+std::string runnerUsage(const std::string &Program) {
+  return "USAGE: " + Program +
+         " --scene FILE [options]\n\n"
+         "Renders a scene with a kernel that is compiled for the host.\n\n"
+         "OPTIONS:\n"
+         "  --scene FILE         glTF or GLB file to render\n"
+         "  --size WIDTHxHEIGHT  size of the picture (256x256)\n"
+         "  --spp N              samples per pixel (1)\n"
+         "  --depth N            surfaces that a path visits; 1: primary and\n"
+         "                       shadow rays (1)\n"
+         "  --seed N             seed of the random numbers (1)\n"
+         "  --threads N          host threads (one per processor)\n"
+         "  -o FILE              PNG to write (none)\n";
+}
+
+static Status parseNumber(const char *Option, const char *Text,
+                          uint32_t &Number) {
+  const char *const End = Text + std::strlen(Text);
+  const auto Parsed = std::from_chars(Text, End, Number);
+  if (Parsed.ec == std::errc() && Parsed.ptr == End)
+    return success();
+  return Error{std::string(Option) + ": '" + Text +
+               "' is not a whole number below 2^32"};
+}
+
+ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
+                                          char *const *Arguments) {
+  enum { Scene = 256, Size, Samples, Depth, Seed, Threads, Help };
+  static const option LongOptions[] = {
+      {"scene", required_argument, nullptr, Scene},
+      {"size", required_argument, nullptr, Size},
+      {"spp", required_argument, nullptr, Samples},
+      {"depth", required_argument, nullptr, Depth},
+      {"seed", required_argument, nullptr, Seed},
+      {"threads", required_argument, nullptr, Threads},
+      {"help", no_argument, nullptr, Help},
+      {nullptr, 0, nullptr, 0}};
+  constexpr unsigned MaxThreads = 1024;
+  RunnerOptions Options;
+  Options.Threads = std::max(1u, std::thread::hardware_concurrency());
+  optind = 1;
+  opterr = 0;
+  for (;;) {
+    Status Parsed = success();
+    // The leading colon tells a missing value from an unknown option.
+    switch (getopt_long(ArgumentCount, Arguments, ":o:", LongOptions,
+                        nullptr)) {
+    case Scene:
+      Options.ScenePath = optarg;
+      break;
+    case Size:
+      Parsed = parseImageSize(optarg, Options.Render);
+      break;
+    case Samples:
+      Parsed = parseNumber("--spp", optarg, Options.Render.SamplesPerPixel);
+      break;
+    case Depth:
+      Parsed = parseNumber("--depth", optarg, Options.Render.MaxDepth);
+      break;
+    case Seed:
+      Parsed = parseNumber("--seed", optarg, Options.Render.Seed);
+      break;
+    case Threads:
+      Parsed = parseNumber("--threads", optarg, Options.Threads);
+      if (Parsed && (Options.Threads < 1 || Options.Threads > MaxThreads))
+        Parsed = Error{"--threads: must be from 1 to " +
+                       std::to_string(MaxThreads) + ", not " + optarg};
+      break;
+    case 'o':
+      Options.OutputPath = optarg;
+      break;
+    case Help:
+      Options.Help = true;
+      return Options;
+    case ':':
+      return Error{std::string(Arguments[optind - 1]) + ": needs a value"};
+    case '?':
+      return Error{std::string("unknown option '") + Arguments[optind - 1] +
+                   "'; --help lists the options"};
+    case -1:
+      if (optind != ArgumentCount)
+        return Error{std::string("unexpected argument '") + Arguments[optind] +
+                     "'"};
+      if (Options.ScenePath.empty())
+        return Error{"no scene; name one with --scene FILE"};
+      if (Status Checked = checkRenderOptions(Options.Render); !Checked)
+        return Checked.takeError();
+      return Options;
+    }
+    if (!Parsed)
+      return Parsed.takeError();
+  }
+}
+
+} // namespace tp

@@ -1,0 +1,39 @@
+//===- RunnerOptions.h - Command line of the native runner ------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_NATIVE_RUNNEROPTIONS_H
+#define TP_KERNELS_NATIVE_RUNNEROPTIONS_H
+
+#include "kernels/common/LaunchSetup.h"
+#include "scenes/ErrorOr.h"
+
+#include <string>
+
+namespace tp {
+
+/// What the command line of the native runner says.
+struct RunnerOptions {
+  /// Print the usage and do nothing else.
+  bool Help = false;
+  std::string ScenePath;
+  RenderOptions Render;
+  /// Threads of the host, at least 1.
+  unsigned Threads = 1;
+  /// PNG to write; none if empty.
+  std::string OutputPath;
+};
+
+/// The text of `--help`.
+std::string runnerUsage(const std::string &Program);
+
+/// Reads the command line. Fails, naming the option, if it is unknown, lacks its
+/// value or has a bad one, or if there is no scene.
+ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
+                                          char *const *Arguments);
+
+} // namespace tp
+
+#endif // TP_KERNELS_NATIVE_RUNNEROPTIONS_H

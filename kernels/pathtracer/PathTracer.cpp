@@ -1,0 +1,192 @@
+//===- PathTracer.cpp - The baseline path tracer --------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// Every thread takes pixels until none is left. At each hit a shadow ray goes to
+// a random point of the lights, then a cosine-weighted ray bounces on, until the
+// path has the launch block's depth. Emission is seen directly by primary rays
+// only; for all later vertices the shadow rays account for it.
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/bvh/BvhTraversal.h"
+#include "kernels/common/ColorEncoding.h"
+#include "kernels/common/Random.h"
+#include "kernels/common/Sampling.h"
+#include "kernels/common/SceneLayout.h"
+#include "tp/atomic.h"
+#include "tp/launch.h"
+#include "tp/memory.h"
+#include "tp/thread.h"
+
+using namespace tp;
+
+namespace {
+
+/// Beyond every scene, and finite.
+constexpr float Farthest = 1e30f;
+
+/// Where a path meets a surface.
+struct Vertex {
+  /// Off the surface by SceneHeader::SurfaceOffset, on the ray's side.
+  Vector3 Origin;
+  /// On the ray's side.
+  Vector3 UnitNormal;
+  Vector3 BaseColor;
+};
+
+class PathTracer {
+public:
+  explicit PathTracer(const LaunchBlock &Launch)
+      : Scene(devicePointer<const void>(Launch.Scene)),
+        Root(Scene.Header->Root), LightCount(Scene.Header->LightCount),
+        SurfaceOffset(Scene.Header->SurfaceOffset),
+        LightScale(Scene.Header->LightScale),
+        SamplesPerPixel(Launch.SamplesPerPixel), MaxDepth(Launch.MaxDepth),
+        Seed(Launch.Seed),
+        PixelWidth(2.0f / static_cast<float>(static_cast<int>(Launch.Width))),
+        PixelHeight(2.0f / static_cast<float>(static_cast<int>(Launch.Height))),
+        Aspect(static_cast<float>(static_cast<int>(Launch.Width)) /
+               static_cast<float>(static_cast<int>(Launch.Height))) {}
+
+  /// The mean radiance of a pixel's samples.
+  Vector3 renderPixel(uint32_t X, uint32_t Y, uint32_t Pixel) {
+    Vector3 Sum;
+    for (uint32_t Sample = 0; Sample != SamplesPerPixel; ++Sample)
+      Sum = Sum + tracePath(primaryRay(X, Y, Pixel, Sample), Pixel, Sample);
+    return Sum *
+           (1.0f / static_cast<float>(static_cast<int>(SamplesPerPixel)));
+  }
+
+  uint32_t rayCount() const { return RayCount; }
+
+private:
+  Ray primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel, uint32_t Sample) const;
+  Vector3 tracePath(Ray R, uint32_t Pixel, uint32_t Sample);
+  Vertex makeVertex(const Ray &R, const Hit &Found,
+                    const TriangleRecord &Triangle) const;
+  Vector3 sampleLights(const Vertex &At, RandomWords Random);
+
+  const SceneView Scene;
+  const BvhReference Root;
+  const uint32_t LightCount;
+  const float SurfaceOffset;
+  const float LightScale;
+  const uint32_t SamplesPerPixel;
+  const uint32_t MaxDepth;
+  const uint32_t Seed;
+  const float PixelWidth;
+  const float PixelHeight;
+  const float Aspect;
+  uint32_t RayCount = 0;
+};
+
+} // namespace
+
+/// A ray through a random point of the pixel.
+Ray PathTracer::primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel,
+                           uint32_t Sample) const {
+  const CameraRecord &Camera = Scene.Header->Camera;
+  const RandomWords Random = randomWords(Pixel, Sample, 0, Seed);
+  const float Column = static_cast<float>(static_cast<int>(X));
+  const float Row = static_cast<float>(static_cast<int>(Y));
+  const float ScreenX =
+      ((Column + unitFloat(Random.X)) * PixelWidth - 1.0f) * Aspect;
+  const float ScreenY = 1.0f - (Row + unitFloat(Random.Y)) * PixelHeight;
+  return {Camera.Position,
+          Camera.Forward + Camera.Right * ScreenX + Camera.Up * ScreenY};
+}
+
+Vertex PathTracer::makeVertex(const Ray &R, const Hit &Found,
+                              const TriangleRecord &Triangle) const {
+  Vertex Result;
+  const Vector3 Normal = Triangle.Plane.Direction;
+  Result.UnitNormal = dot(Normal, R.Direction) > 0.0f ? -Normal : Normal;
+  Result.Origin = R.Origin + R.Direction * Found.Distance +
+                  Result.UnitNormal * SurfaceOffset;
+  Result.BaseColor = Triangle.BaseColor;
+  return Result;
+}
+
+/// The radiance that the surface reflects of the light from one random point of
+/// the lights, for a white surface. The BRDF's 1 / pi and the density of the
+/// point are in LightScale.
+Vector3 PathTracer::sampleLights(const Vertex &At, RandomWords Random) {
+  const RandomChoice Cell = chooseIndex(Random.X, LightCount);
+  const LightChoice Choice = Scene.LightChoices[Cell.Index];
+  const bool Keep = Cell.Remainder < Choice.Keep;
+  const LightRecord &Light =
+      Scene.Lights[Keep ? Cell.Index : Choice.Alias];
+  const Vector3 Emission = Light.Emission;
+  const Vector3 LightNormal = Light.UnitNormal;
+  const Vector3 Point = sampleTriangle(Light.Vertex, Light.Edges[0],
+                                       Light.Edges[1], Random.Y, Random.Z);
+
+  const Ray Shadow{At.Origin, Point - At.Origin};
+  const float CosineHere = dot(At.UnitNormal, Shadow.Direction);
+  const float CosineThere = __builtin_fabsf(dot(LightNormal, Shadow.Direction));
+  const float DistanceSquared = dot(Shadow.Direction, Shadow.Direction);
+  // Below the horizon, or the light seen from its edge. Both cosines still have
+  // the distance as a factor.
+  if (!(CosineHere > 0.0f && CosineThere > 0.0f))
+    return {};
+  // Ends before the light itself.
+  constexpr float ShadowEnd = 0.999f;
+  ++RayCount;
+  const Hit Blocker = findHit<HitQuery::Any>(Scene, Root, Shadow, ShadowEnd);
+  if (Blocker.Triangle != kNoTriangle)
+    return {};
+  const float Geometry =
+      CosineHere * CosineThere / (DistanceSquared * DistanceSquared);
+  return Emission * (Geometry * LightScale);
+}
+
+/// The radiance that arrives along \p R from the scene.
+Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
+  Vector3 Radiance;
+  Vector3 Throughput = {1, 1, 1};
+  for (uint32_t Depth = 1;; ++Depth) {
+    ++RayCount;
+    const Hit Found = findHit<HitQuery::Closest>(Scene, Root, R, Farthest);
+    if (Found.Triangle == kNoTriangle)
+      return Radiance;
+    const TriangleRecord &Triangle = Scene.Triangles[Found.Triangle];
+    const Vertex At = makeVertex(R, Found, Triangle);
+    if (Depth == 1)
+      Radiance = Scene.Materials[Triangle.Material].Emission;
+
+    Throughput = Throughput * At.BaseColor;
+    if (Throughput.X + Throughput.Y + Throughput.Z == 0.0f)
+      return Radiance;
+    // Dimension 0 is the camera's; two events at each vertex.
+    if (LightCount != 0)
+      Radiance =
+          Radiance + Throughput * sampleLights(At, randomWords(Pixel, Sample,
+                                                               2 * Depth - 1,
+                                                               Seed));
+    if (Depth == MaxDepth)
+      return Radiance;
+    const RandomWords Bounce = randomWords(Pixel, Sample, 2 * Depth, Seed);
+    R = {At.Origin, sampleCosineHemisphere(At.UnitNormal, Bounce.X, Bounce.Y)};
+  }
+}
+
+int main() {
+  const LaunchBlock Launch = launchBlock();
+  PathTracer Tracer(Launch);
+  uint32_t *WorkCounter = devicePointer<uint32_t>(Launch.WorkCounter);
+  uint32_t *Framebuffer = devicePointer<uint32_t>(Launch.Framebuffer);
+  const uint32_t PixelCount = Launch.Width * Launch.Height;
+  for (;;) {
+    const uint32_t Pixel = atomicAdd(WorkCounter, 1);
+    if (Pixel >= PixelCount)
+      break;
+    const uint32_t Y = Pixel / Launch.Width;
+    const uint32_t X = Pixel - Y * Launch.Width;
+    Framebuffer[Pixel] = encodePixel(Tracer.renderPixel(X, Y, Pixel));
+  }
+  devicePointer<uint32_t>(Launch.RayCounts)[threadId()] = Tracer.rayCount();
+  return 0;
+}
