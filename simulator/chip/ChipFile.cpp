@@ -50,9 +50,8 @@ static void readMemories(YamlSection &Root, ChipConfig &Chip,
   Memory.finish();
 
   // The window ends before anything that left the TM in it comes back.
-  Chip.ArbitrationWindow =
-      Root.integer("arbitration_window_cycles", 1, MaxLatency, 1,
-                   Presence::Required);
+  Chip.ArbitrationWindow = Root.integer("arbitration_window_cycles", 1,
+                                        MaxLatency, 1, Presence::Required);
   if (Memory.has("latency_cycles") &&
       Chip.ArbitrationWindow > Chip.MemoryLatency)
     Errors.add(Root.lineOf("arbitration_window_cycles"),
@@ -62,7 +61,8 @@ static void readMemories(YamlSection &Root, ChipConfig &Chip,
                    Twine(Chip.MemoryLatency));
 
   YamlSection LocalStore = Root.section("local_store");
-  Chip.LocalStoreBytes = LocalStore.bytes("bytes", 1024, MaxLocalStoreBytes, 16);
+  Chip.LocalStoreBytes =
+      LocalStore.bytes("bytes", 1024, MaxLocalStoreBytes, 16);
   Chip.LocalStoreAreaMm2 = LocalStore.number("area_mm2", 0, 1000, 0);
   LocalStore.finish();
 
@@ -89,14 +89,13 @@ static void readUnits(YamlSection &Root, ChipConfig &Chip) {
     UnitConfig &Config = Chip.Units[I];
     Config.Count = Section.integer("count", 1, MaxUnitCount, 1);
     Config.Interval = Section.integer("interval_cycles", 1, MaxUnitInterval, 1,
-                                   Presence::Optional);
+                                      Presence::Optional);
     Config.AreaMm2 = Section.number("area_mm2", 0, 1000, 0);
     Section.finish();
   }
   Units.finish();
 
-  YamlSection Latencies =
-      Root.section("latency_cycles", Presence::Optional);
+  YamlSection Latencies = Root.section("latency_cycles", Presence::Optional);
   for (unsigned I = 0; I != NumLatencyClasses; ++I) {
     LatencyClass Class = LatencyClass(I);
     Chip.Latency[I] = defaultLatency(Class);
@@ -186,8 +185,8 @@ void writeChip(const ChipConfig &Chip, raw_ostream &OS) {
   OS << "latency_cycles:\n";
   for (unsigned I = 0; I != NumLatencyClasses; ++I)
     if (!isMemoryClass(LatencyClass(I)))
-      OS << "  " << latencyClassName(LatencyClass(I)) << ": "
-         << Chip.Latency[I] << "\n";
+      OS << "  " << latencyClassName(LatencyClass(I)) << ": " << Chip.Latency[I]
+         << "\n";
 }
 
 } // namespace tp

@@ -30,18 +30,20 @@ inline constexpr uint32_t MaxUnitInterval = 1024;
 inline constexpr uint32_t MaxLatency = 4096;
 inline constexpr uint32_t MaxIcacheBanks = 64;
 inline constexpr uint32_t MaxIcachePorts = 1024;
-/// The topmost MiB of the address space belongs to the local stores.
+/// The topmost MiB of the address space belongs to the local stores. Below them
+/// at least another MiB traps, so that a stack that overflows does not run into
+/// global memory.
 inline constexpr uint32_t MaxLocalStoreBytes = 1u << 20;
-inline constexpr uint64_t MaxMemoryBytes = (1ull << 32) - MaxLocalStoreBytes;
+inline constexpr uint64_t MaxMemoryBytes =
+    (1ull << 32) - 2 * uint64_t(MaxLocalStoreBytes);
 /// The first 64 KiB trap; a program needs some memory behind them.
 inline constexpr uint64_t MinMemoryBytes = 128 << 10;
 
 /// Builds the chip that \p Text describes. The chip is called \p Name. The
 /// error lists everything that is wrong with the file, a line each, in the form
 /// `<FileName>:<line>: <what and what would be right>`.
-llvm::Expected<ChipConfig> parseChip(llvm::StringRef Text,
-                                     llvm::StringRef FileName,
-                                     llvm::StringRef Name);
+llvm::Expected<ChipConfig>
+parseChip(llvm::StringRef Text, llvm::StringRef FileName, llvm::StringRef Name);
 
 /// Loads a chip by the path of its file (anything with a `/` or ending in
 /// `.yaml`), or by name from `<ChipFolder>/<name>.yaml`.

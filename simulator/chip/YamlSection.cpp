@@ -91,8 +91,8 @@ const YamlEntry *YamlSection::scalar(StringRef Key, const Twine &Wanted,
 
 uint64_t YamlSection::integer(StringRef Key, uint64_t Min, uint64_t Max,
                               uint64_t Default, Presence P) {
-  std::string Wanted = "a whole number from " + utostr(Min) + " to " +
-                       utostr(Max);
+  std::string Wanted =
+      "a whole number from " + utostr(Min) + " to " + utostr(Max);
   const YamlEntry *Entry = scalar(Key, Wanted, P);
   if (!Entry)
     return Default;
@@ -115,8 +115,7 @@ static std::optional<uint64_t> parseBytes(StringRef Text) {
   else if (Text.consume_back("GiB"))
     Shift = 30;
   uint64_t Value;
-  if (Text.rtrim(' ').getAsInteger(10, Value) ||
-      Value > (UINT64_MAX >> Shift))
+  if (Text.rtrim(' ').getAsInteger(10, Value) || Value > (UINT64_MAX >> Shift))
     return std::nullopt;
   return Value << Shift;
 }
@@ -203,8 +202,8 @@ void YamlSection::finish() {
       unsigned Distance =
           StringRef(StringRef(Entry.Key).lower())
               .edit_distance(StringRef(Key).lower(), true, NearestDistance);
-      if (Distance <= NearestDistance && (Nearest.empty() ||
-                                          Distance < NearestDistance)) {
+      if (Distance <= NearestDistance &&
+          (Nearest.empty() || Distance < NearestDistance)) {
         Nearest = Key;
         NearestDistance = Distance;
       }

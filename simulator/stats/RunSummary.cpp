@@ -115,8 +115,7 @@ largestFirst(const std::array<uint64_t, NumOpcodes> &Counts) {
 }
 
 Error checkSums(const ChipConfig &Chip, const Statistics &Stats) {
-  auto Check = [](const Twine &What, uint64_t Sum,
-                  uint64_t Expected) -> Error {
+  auto Check = [](const Twine &What, uint64_t Sum, uint64_t Expected) -> Error {
     if (Sum == Expected)
       return Error::success();
     return createStringError("internal error: " + What + " add up to " +
@@ -129,8 +128,8 @@ Error checkSums(const ChipConfig &Chip, const Statistics &Stats) {
   for (size_t I = 0; I != Stats.Threads.size(); ++I) {
     const ThreadStatistics &Thread = Stats.Threads[I];
     ThreadInstructions += Thread.Instructions;
-    uint64_t Lost = std::accumulate(Thread.Lost.begin(), Thread.Lost.end(),
-                                    uint64_t(0));
+    uint64_t Lost =
+        std::accumulate(Thread.Lost.begin(), Thread.Lost.end(), uint64_t(0));
     if (Error E = Check("instructions and losses of thread " + Twine(I),
                         Thread.Instructions + Lost, Stats.Cycles))
       return E;

@@ -39,8 +39,7 @@ std::string biggest(const std::vector<OpcodeCount> &Counts, double Whole) {
 
 /// The counts of the opcodes for which \p Keep holds.
 template <typename Predicate>
-std::vector<OpcodeCount> only(std::vector<OpcodeCount> Counts,
-                              Predicate Keep) {
+std::vector<OpcodeCount> only(std::vector<OpcodeCount> Counts, Predicate Keep) {
   erase_if(Counts, [&](const OpcodeCount &C) { return !Keep(C.Op); });
   return Counts;
 }

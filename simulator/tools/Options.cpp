@@ -1,0 +1,164 @@
+//===- Options.cpp - Command line of tpsim --------------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/tools/Options.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/Option/Arg.h"
+#include "llvm/Option/ArgList.h"
+#include "llvm/Option/OptTable.h"
+#include "llvm/Option/Option.h"
+
+#include <algorithm>
+#include <thread>
+
+using namespace llvm;
+
+namespace tp {
+namespace {
+
+enum OptionId {
+  OPT_INVALID = 0,
+#define OPTION(...) LLVM_MAKE_OPT_ID(__VA_ARGS__),
+#include "simulator/tools/Options.inc"
+#undef OPTION
+};
+
+using namespace llvm::opt;
+
+#define OPTTABLE_STR_TABLE_CODE
+#include "simulator/tools/Options.inc"
+#undef OPTTABLE_STR_TABLE_CODE
+
+#define OPTTABLE_PREFIXES_TABLE_CODE
+#include "simulator/tools/Options.inc"
+#undef OPTTABLE_PREFIXES_TABLE_CODE
+
+constexpr OptTable::Info InfoTable[] = {
+#define OPTION(...) LLVM_CONSTRUCT_OPT_INFO(__VA_ARGS__),
+#include "simulator/tools/Options.inc"
+#undef OPTION
+};
+
+class TpsimOptTable : public GenericOptTable {
+public:
+  TpsimOptTable()
+      : GenericOptTable(OptionStrTable, OptionPrefixesTable, InfoTable) {}
+};
+
+/// Turns parsed arguments into Options and keeps the first error.
+class OptionReader {
+public:
+  explicit OptionReader(const InputArgList &Arguments) : Arguments(Arguments) {}
+
+  Expected<Options> read() {
+    Options Result;
+    Result.Help = Arguments.hasArg(OPT_help);
+    Result.Version = Arguments.hasArg(OPT_version);
+    if (Result.Help || Result.Version)
+      return Result;
+    Result.Quiet = Arguments.hasArg(OPT_quiet);
+    Result.PrintChip = Arguments.hasArg(OPT_print_chip);
+    Result.Chip = Arguments.getLastArgValue(OPT_chip, "report-512x8").str();
+    unsigned Cores = std::max(std::thread::hardware_concurrency(), 1u);
+    Result.HostThreads = number(OPT_host_threads, 1, MaxHostThreads,
+                                std::min(Cores, MaxHostThreads));
+    Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
+    Result.StatisticsOutput = Arguments.getLastArgValue(OPT_stats).str();
+    readProgram(Result);
+    readImage(Result);
+    if (!Message.empty())
+      return createStringError(Message);
+    return Result;
+  }
+
+private:
+  const InputArgList &Arguments;
+  std::string Message;
+
+  void error(const Twine &What) {
+    if (Message.empty())
+      Message = What.str();
+  }
+
+  uint64_t number(OptionId Id, uint64_t Min, uint64_t Max, uint64_t Default) {
+    const Arg *Argument = Arguments.getLastArg(Id);
+    if (!Argument)
+      return Default;
+    uint64_t Value;
+    StringRef Text = Argument->getValue();
+    if (!Text.getAsInteger(10, Value) && Value >= Min && Value <= Max)
+      return Value;
+    error(Argument->getSpelling().rtrim('=') + " '" + Text +
+          "': expected a whole number from " + Twine(Min) + " to " +
+          Twine(Max));
+    return Default;
+  }
+
+  void readProgram(Options &Result) {
+    std::vector<std::string> Inputs = Arguments.getAllArgValues(OPT_INPUT);
+    if (Inputs.size() > 1)
+      error("more than one program: '" + Inputs[0] + "' and '" + Inputs[1] +
+            "'; arguments of the program go behind --");
+    if (Inputs.empty() && !Result.PrintChip)
+      error("no program; usage: tpsim [options] program.elf (see --help)");
+    if (!Inputs.empty())
+      Result.Program = Inputs[0];
+    Result.ProgramArguments = Arguments.getAllArgValues(OPT_end_of_options);
+  }
+
+  void readImage(Options &Result) {
+    Result.Scene = Arguments.getLastArgValue(OPT_scene).str();
+    Result.ImageOutput = Arguments.getLastArgValue(OPT_o).str();
+    if (!Arguments.hasArg(OPT_scene))
+      for (OptionId Id : {OPT_o, OPT_size, OPT_spp, OPT_depth, OPT_seed})
+        if (const Arg *Argument = Arguments.getLastArg(Id))
+          error(Argument->getSpelling().rtrim('=') +
+                " has no meaning without --scene; give the scene to render");
+    if (Arguments.hasArg(OPT_scene) && Result.Scene.empty())
+      error("--scene is empty; give it the path of a glTF or GLB file");
+    if (Arguments.hasArg(OPT_o) && Result.ImageOutput.empty())
+      error("-o is empty; give it the path of the PNG file to write");
+
+    RenderOptions &Rendering = Result.Rendering;
+    Rendering.SamplesPerPixel =
+        number(OPT_spp, 1, kMaxSamplesPerPixel, Rendering.SamplesPerPixel);
+    Rendering.MaxDepth =
+        number(OPT_depth, 1, kMaxPathDepth, Rendering.MaxDepth);
+    Rendering.Seed = number(OPT_seed, 0, UINT32_MAX, Rendering.Seed);
+    if (const Arg *Size = Arguments.getLastArg(OPT_size))
+      if (Status S = parseImageSize(Size->getValue(), Rendering); !S)
+        error(S.message());
+  }
+};
+
+} // namespace
+
+Expected<Options> parseOptions(ArrayRef<const char *> Arguments) {
+  TpsimOptTable Table;
+  unsigned MissingIndex, MissingCount;
+  InputArgList Parsed = Table.ParseArgs(Arguments, MissingIndex, MissingCount);
+  if (const Arg *Unknown = Parsed.getLastArg(OPT_UNKNOWN)) {
+    std::string Text = Unknown->getAsString(Parsed), Nearest;
+    bool IsNear = Table.findNearest(Text, Nearest) <= 2;
+    return createStringError(
+        "unknown option '" + Text + "'" +
+        (IsNear ? "; did you mean '" + Nearest + "'?" : " (see --help)"));
+  }
+  if (MissingCount != 0)
+    return createStringError(Twine("option '") +
+                             Parsed.getArgString(MissingIndex) +
+                             "' needs a value (see --help)");
+  return OptionReader(Parsed).read();
+}
+
+void printHelp(raw_ostream &OS) {
+  TpsimOptTable().printHelp(
+      OS, "tpsim [options] program.elf [-- arguments of the program]",
+      "Simulates a ray-tracing chip cycle by cycle");
+}
+
+} // namespace tp

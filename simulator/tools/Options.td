@@ -1,0 +1,45 @@
+//===- Options.td - Command line of tpsim ------------------*- tablegen -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+include "llvm/Option/OptParser.td"
+
+class LongFlag<string name, string help>
+    : Option<["--"], name, KIND_FLAG>, HelpText<help>;
+
+// `--name value` and `--name=value`.
+multiclass LongValue<string name, string metaVar, string help> {
+  def NAME : Option<["--"], name, KIND_SEPARATE>, MetaVarName<metaVar>,
+             HelpText<help>;
+  def NAME#_EQ : Option<["--"], name#"=", KIND_JOINED>,
+                 Alias<!cast<Option>(NAME)>;
+}
+
+def help : LongFlag<"help", "Print this text">;
+def help_short : Option<["-"], "h", KIND_FLAG>, Alias<help>;
+def version : LongFlag<"version", "Print the version">;
+def quiet : LongFlag<"quiet", "No table and no progress line">;
+def print_chip : LongFlag<"print-chip",
+                      "Print the chip with every value resolved, as a chip file">;
+
+defm chip : LongValue<"chip", "<name|file.yaml>", "Chip (default: report-512x8)">;
+defm scene : LongValue<"scene", "<file>", "glTF or GLB scene to render">;
+defm size : LongValue<"size", "<width>x<height>",
+                  "Size of the image (default: 256x256)">;
+defm spp : LongValue<"spp", "<n>", "Samples per pixel (default: 1)">;
+defm depth : LongValue<"depth", "<n>",
+                   "Bounces; 1 is primary and shadow rays (default: 1)">;
+defm seed : LongValue<"seed", "<n>", "Seed of the random numbers (default: 1)">;
+defm stats : LongValue<"stats", "<file>",
+                   "Write the statistics as JSON; - is standard output">;
+defm host_threads : LongValue<"host-threads", "<n>",
+                          "Threads of the host to use (default: all)">;
+defm max_cycles : LongValue<"max-cycles", "<n>",
+                        "Stop with status 1 after so many cycles">;
+def o : Option<["-"], "o", KIND_JOINED_OR_SEPARATE>, MetaVarName<"<file.png>">,
+        HelpText<"Write the image">;
+def end_of_options : Option<["--"], "", KIND_REMAINING_ARGS>,
+                     MetaVarName<"<arguments>">,
+                     HelpText<"Arguments of the program">;

@@ -1,0 +1,236 @@
+//===- Simulation.cpp - One run of tpsim ----------------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/tools/Simulation.h"
+
+#include "scenes/image/PngWriter.h"
+#include "scenes/loader/SceneLoader.h"
+#include "simulator/core/Engine.h"
+#include "simulator/loader/Symbolizer.h"
+#include "simulator/stats/JsonReport.h"
+#include "simulator/stats/TableReport.h"
+#include "simulator/tools/Interrupt.h"
+#include "simulator/tools/ProgramMemory.h"
+#include "simulator/tools/ProgressLine.h"
+#include "simulator/tools/TrapMessage.h"
+
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Process.h"
+#include "llvm/Support/WithColor.h"
+
+#include <algorithm>
+
+using namespace llvm;
+
+namespace tp {
+
+void reportError(llvm::Error E) {
+  WithColor::error(errs(), "tpsim") << toString(std::move(E)) << '\n';
+}
+
+/// Decodes the executable segment.
+static Program decodeText(const ElfProgram &Elf) {
+  const Segment &Text = Elf.text();
+  std::vector<uint32_t> Words(Text.Contents.size() / sizeof(uint32_t));
+  std::memcpy(Words.data(), Text.Contents.data(),
+              Words.size() * sizeof(uint32_t));
+  return Program(Text.Address, Words, Elf.entry(), uint32_t(Text.end()));
+}
+
+/// Fails now and not after hours if \p Path cannot be written.
+static llvm::Error checkWritable(const std::string &Path) {
+  int File;
+  if (std::error_code EC = sys::fs::openFileForWrite(
+          Path, File, sys::fs::CD_OpenAlways, sys::fs::OF_Append))
+    return createStringError("cannot write " + Path + ": " + EC.message());
+  sys::Process::SafelyCloseFileDescriptor(File);
+  return llvm::Error::success();
+}
+
+static llvm::Error checkOutputs(const Options &Request) {
+  for (const std::string &Path :
+       {Request.ImageOutput, Request.StatisticsOutput})
+    if (!Path.empty() && Path != "-")
+      if (llvm::Error E = checkWritable(Path))
+        return E;
+  return llvm::Error::success();
+}
+
+static Expected<std::optional<Scene>>
+loadRequestedScene(const Options &Request) {
+  if (Request.Scene.empty())
+    return std::nullopt;
+  ErrorOr<Scene> Loaded = loadScene(Request.Scene);
+  if (!Loaded)
+    return createStringError(Loaded.message());
+  for (const std::string &Warning : Loaded->Warnings)
+    WithColor::warning(errs(), "tpsim") << Warning << '\n';
+  return std::move(*Loaded);
+}
+
+static llvm::Error writeStatistics(const RunSummary &Run,
+                                   const std::string &Path) {
+  if (Path == "-") {
+    writeJson(Run, outs());
+    return llvm::Error::success();
+  }
+  std::error_code EC;
+  raw_fd_ostream File(Path, EC);
+  if (!EC) {
+    writeJson(Run, File);
+    File.close();
+    EC = File.error();
+    File.clear_error();
+  }
+  if (EC)
+    return createStringError("cannot write " + Path + ": " + EC.message());
+  return llvm::Error::success();
+}
+
+static const char *outcomeName(RunResult::EndKind End) {
+  switch (End) {
+  case RunResult::Halted:
+    return "finished";
+  case RunResult::Trapped:
+    return "trapped";
+  case RunResult::CycleLimit:
+    return "cycle_limit";
+  case RunResult::Stopped:
+    return "interrupted";
+  }
+  llvm_unreachable("every end has a name");
+}
+
+static int exitStatus(const RunResult &Result) {
+  switch (Result.End) {
+  case RunResult::Halted:
+    return Result.ExitStatus;
+  case RunResult::Trapped:
+  case RunResult::CycleLimit:
+    return 1;
+  case RunResult::Stopped:
+    return InterruptedStatus;
+  }
+  llvm_unreachable("every end has a status");
+}
+
+/// Passes the program's output on, so that nothing else is on standard output.
+static OutputFunction passOn(ProgressLine &Line) {
+  return [&Line](int Fd, std::string_view Bytes) {
+    Line.clear();
+    raw_fd_ostream &OS = Fd == 2 ? errs() : outs();
+    OS << Bytes;
+    if (OS.is_displayed())
+      OS.flush();
+  };
+}
+
+/// Why the run did not end as the program wanted, to standard error.
+static void explainEnd(const RunResult &Result, const Options &Request,
+                       const ChipConfig &Chip, const ElfProgram &Elf,
+                       const Program &Text) {
+  if (Result.End == RunResult::Trapped) {
+    Symbolizer Symbols(Elf);
+    WithColor::error(errs(), "tpsim")
+        << trapMessage(*Result.TrapInfo, Chip, Text, Symbols) << '\n';
+  } else if (Result.End == RunResult::CycleLimit) {
+    WithColor::error(errs(), "tpsim")
+        << "stopped after " << Request.MaxCycles << " cycles (--max-cycles)\n";
+  } else if (Result.End == RunResult::Stopped) {
+    WithColor::error(errs(), "tpsim") << "interrupted\n";
+  }
+}
+
+static llvm::Error writeResults(const RunSummary &Run, const Options &Request,
+                                const LaunchBlock &Launch,
+                                const ProgramMemory &Memory) {
+  llvm::Error Failures = llvm::Error::success();
+  auto Note = [&Failures](llvm::Error E) {
+    Failures = joinErrors(std::move(Failures), std::move(E));
+  };
+  if (!Request.ImageOutput.empty())
+    if (Status S =
+            writePng(Request.ImageOutput, readFramebuffer(Launch, Memory));
+        !S)
+      Note(createStringError(S.message()));
+  if (!Request.StatisticsOutput.empty())
+    Note(writeStatistics(Run, Request.StatisticsOutput));
+  Note(checkSums(Run.Chip, Run.Stats));
+  outs().flush();
+  if (outs().has_error()) {
+    Note(createStringError("cannot write standard output: " +
+                           outs().error().message()));
+    outs().clear_error();
+  }
+  return Failures;
+}
+
+Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
+  Expected<ElfProgram> Elf = ElfProgram::load(Request.Program);
+  if (!Elf)
+    return Elf.takeError();
+  if (llvm::Error E = Elf->checkFits(Chip.MemoryBytes))
+    return E;
+  Expected<std::optional<Scene>> Source = loadRequestedScene(Request);
+  if (!Source)
+    return Source.takeError();
+
+  Memory Global(Chip.MemoryBytes);
+  if (!Global.isMapped())
+    return createStringError("the host has no room for the chip's memory of " +
+                             Twine(Chip.MemoryBytes) + " bytes");
+  ProgramMemory Launch(*Elf, Global);
+  LaunchRequest ToLaunch;
+  ToLaunch.Arguments.push_back(Request.Program);
+  append_range(ToLaunch.Arguments, Request.ProgramArguments);
+  ToLaunch.SceneToRender = *Source ? &**Source : nullptr;
+  ToLaunch.Rendering = Request.Rendering;
+  ToLaunch.ThreadCount = Chip.threadCount();
+  Expected<LaunchBlock> Block = setUpProgram(*Elf, ToLaunch, Global, Launch);
+  if (!Block)
+    return Block.takeError();
+
+  Program Text = decodeText(*Elf);
+  Engine Machine(Chip, Text, Global);
+  if (!Machine.error().empty())
+    return createStringError(Machine.error());
+  if (llvm::Error E = checkOutputs(Request))
+    return E;
+
+  ProgressLine Line(!Request.Quiet);
+  Machine.setHostThreads(Request.HostThreads);
+  Machine.setOutput(passOn(Line));
+  double Pixels = double(Block->Width) * Block->Height;
+  RunResult Result = Machine.run(
+      Request.MaxCycles, &stopOnInterrupt(), [&](const Progress &Now) {
+        std::optional<double> Share;
+        if (*Source)
+          Share = readPixelsTaken(*Block, Launch) / Pixels;
+        Line.update(Now, Share);
+        outs().flush();
+      });
+  HostSpeed Speed{Line.seconds(), Request.HostThreads};
+  Line.clear();
+
+  RunSummary Run{
+      Chip, Machine.statistics(), outcomeName(Result.End), exitStatus(Result),
+      {},   std::nullopt};
+  if (*Source) {
+    const RenderOptions &Image = Request.Rendering;
+    Run.Rays = readRayCounts(*Block, Chip.threadCount(), Launch);
+    Run.Image = ImageSettings{Image.Width, Image.Height, Image.SamplesPerPixel,
+                              Image.MaxDepth, Image.Seed};
+  }
+  llvm::Error Failures = writeResults(Run, Request, *Block, Launch);
+  if (!Request.Quiet)
+    writeTable(Run, Speed, errs());
+  explainEnd(Result, Request, Chip, *Elf, Text);
+  if (Failures)
+    return Failures;
+  return Run.ExitStatus;
+}
+
+} // namespace tp
