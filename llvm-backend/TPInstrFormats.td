@@ -23,52 +23,88 @@
 // Operands
 //===----------------------------------------------------------------------===//
 
-class TPImmediateAsmOperand<string name> : AsmOperandClass {
+// What the assembler accepts for an operand, and what it says of anything else.
+class TPImmediateAsmOperand<string name, string diagnostic>
+    : AsmOperandClass {
   let Name = name;
   let RenderMethod = "addImmOperands";
   let DiagnosticType = "Invalid"#name;
+  let DiagnosticString = diagnostic;
 }
 
 // An immediate of `width` bits. The value that the instruction uses is the field,
 // sign-extended where `isSigned`, times `scale`.
-class TPImmediate<string asmName, int width, bit isSigned, int scale,
-                  ValueType type = i32> : Operand<type> {
+class TPImmediate<TPImmediateAsmOperand asmOperand, int width, bit isSigned,
+                  int scale, ValueType type = i32> : Operand<type> {
   int Bits = width;
   bit IsSigned = isSigned;
   int Scale = scale;
-  let ParserMatchClass = TPImmediateAsmOperand<asmName>;
+  let ParserMatchClass = asmOperand;
 }
 
-class TPValueImmediate<string asmName, int width, bit isSigned, code predicate>
-    : TPImmediate<asmName, width, isSigned, 1>, ImmLeaf<i32, predicate> {
-  let EncoderMethod = "getImmediateValue";
+class TPValueImmediate<TPImmediateAsmOperand asmOperand, int width,
+                       bit isSigned, code predicate>
+    : TPImmediate<asmOperand, width, isSigned, 1>, ImmLeaf<i32, predicate> {
+  let EncoderMethod = !if(isSigned, "getSImmValue", "getUImmValue");
   let DecoderMethod =
       !if(isSigned, "decodeSImm<"#width#">", "decodeUImm<"#width#">");
 }
 
-def simm16 : TPValueImmediate<"SImm16", 16, 1, [{ return isInt<16>(Imm); }]>;
-def uimm16 : TPValueImmediate<"UImm16", 16, 0, [{ return isUInt<16>(Imm); }]>;
-def uimm5 : TPValueImmediate<"UImm5", 5, 0, [{ return isUInt<5>(Imm); }]>;
+def SImm16AsmOperand : TPImmediateAsmOperand<"SImm16",
+    "immediate must be an integer in the range [-32768, 32767] or %lo(symbol)">;
+def UImm16AsmOperand : TPImmediateAsmOperand<"UImm16",
+    "immediate must be an integer in the range [0, 65535] or %hi(symbol)">;
+def UImm5AsmOperand : TPImmediateAsmOperand<"UImm5",
+    "immediate must be an integer in the range [0, 31]">;
+
+def simm16 : TPValueImmediate<SImm16AsmOperand, 16, 1,
+                              [{ return isInt<16>(Imm); }]>;
+def uimm16 : TPValueImmediate<UImm16AsmOperand, 16, 0,
+                              [{ return isUInt<16>(Imm); }]>;
+def uimm5 : TPValueImmediate<UImm5AsmOperand, 5, 0,
+                             [{ return isUInt<5>(Imm); }]>;
 
 // A special register by name, or its number.
-def sreg : TPImmediate<"SpecialRegister", 5, 0, 1> {
-  let EncoderMethod = "getImmediateValue";
-  let DecoderMethod = "decodeUImm<5>";
+def SpecialRegisterAsmOperand : TPImmediateAsmOperand<"SpecialRegister",
+    "operand must be a special register"> {
+  let ParserMethod = "parseSpecialRegister";
+}
+def sreg : TPImmediate<SpecialRegisterAsmOperand, 5, 0, 1> {
+  let EncoderMethod = "getUImmValue";
+  let DecoderMethod = "decodeSpecialRegister";
   let PrintMethod = "printSpecialRegister";
 }
 
 // Targets are relative to the instruction's own address, in words.
-class TPTarget<string asmName, int width, ValueType type>
-    : TPImmediate<asmName, width, 1, 4, type> {
+class TPTarget<TPImmediateAsmOperand asmOperand, int width, ValueType type>
+    : TPImmediate<asmOperand, width, 1, 4, type> {
   let OperandType = "OPERAND_PCREL";
   let PrintMethod = "printPCRelativeTarget";
   let EncoderMethod = "getTargetValue<"#width#">";
   let DecoderMethod = "decodeTarget<"#width#">";
 }
 
-def brtarget : TPTarget<"BranchTarget", 16, OtherVT>;
-def jmptarget : TPTarget<"JumpTarget", 26, OtherVT>;
-def calltarget : TPTarget<"JumpTarget", 26, i32>;
+// Any identifier is a symbol here, also one that is a register's name.
+let ParserMethod = "parseSymbol" in {
+def BranchTargetAsmOperand : TPImmediateAsmOperand<"BranchTarget",
+    "branch target must be a symbol or a multiple of 4 in the range "
+    "[-131072, 131068]">;
+def JumpTargetAsmOperand : TPImmediateAsmOperand<"JumpTarget",
+    "jump target must be a symbol or a multiple of 4 in the range "
+    "[-134217728, 134217724]">;
+def SymbolAsmOperand : TPImmediateAsmOperand<"Symbol",
+    "operand must be a symbol or an address in the range [0, 4294967295]">;
+}
+
+def brtarget : TPTarget<BranchTargetAsmOperand, 16, OtherVT>;
+def jmptarget : TPTarget<JumpTargetAsmOperand, 26, OtherVT>;
+def calltarget : TPTarget<JumpTargetAsmOperand, 26, i32>;
+
+// Operands of the assembler's macros.
+def Imm32AsmOperand : TPImmediateAsmOperand<"Imm32",
+    "immediate must be an integer in the range [-2147483648, 4294967295]">;
+def imm32 : TPImmediate<Imm32AsmOperand, 32, 1, 1>;
+def symbol : TPImmediate<SymbolAsmOperand, 32, 0, 1>;
 
 // Register plus signed 16-bit offset, and register plus register.
 def AddrRI : ComplexPattern<i32, 2, "selectAddrRI">;
@@ -115,6 +151,16 @@ class TPPseudo<dag outs, dag ins, list<dag> pattern>
   let isPseudo = 1;
   let isCodeGenOnly = 1;
   let Size = 4;
+}
+
+// Exists only in the assembler, which makes one or two instructions of it.
+class TPMacro<dag outs, dag ins, string mnemonic, string operands,
+              string action>
+    : TPInstructionBase<outs, ins, mnemonic#"\t"#operands, []> {
+  let isPseudo = 1;
+  let isAsmParserOnly = 1;
+  string Mnemonic = mnemonic;
+  string Action = action;
 }
 
 //===----------------------------------------------------------------------===//

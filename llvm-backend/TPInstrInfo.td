@@ -531,11 +531,26 @@ def HALT_CALL : TPPseudo<(outs), (ins GPR:$rs), [(TPHalt (i32 GPR:$rs))]>;
 
 def : InstAlias<"nop", (ADDI R0, R0, 0)>;
 def : InstAlias<"move $rd, $rs", (ADDI GPR:$rd, GPR:$rs, 0)>;
-def : InstAlias<"li $rd, $imm", (ADDI GPR:$rd, R0, simm16:$imm), 0>;
 def : InstAlias<"not $rd, $rs", (NOR GPR:$rd, GPR:$rs, R0)>;
 def : InstAlias<"neg $rd, $rs", (SUB GPR:$rd, R0, GPR:$rs)>;
 def : InstAlias<"beqz $rs, $target", (BEQ GPR:$rs, R0, brtarget:$target), 0>;
 def : InstAlias<"bnez $rs, $target", (BNE GPR:$rs, R0, brtarget:$target), 0>;
 def : InstAlias<"ret", (JR R31)>;
+foreach load = [LB, LBU, LH, LHU, LW] in
+  def : InstAlias<load.Mnemonic#" $rd, (${rs})", (load GPR:$rd, GPR:$rs, 0), 0>;
+foreach store = [SB, SH, SW] in
+  def : InstAlias<store.Mnemonic#" $value, (${rs})",
+                  (store GPR:$value, GPR:$rs, 0), 0>;
+def : InstAlias<"lwc1 $rd, (${rs})", (LWC1 FPR:$rd, GPR:$rs, 0), 0>;
+def : InstAlias<"swc1 $value, (${rs})", (SWC1 FPR:$value, GPR:$rs, 0), 0>;
+
+//===----------------------------------------------------------------------===//
+// Assembler macros
+//===----------------------------------------------------------------------===//
+
+def LI : TPMacro<(outs GPR:$rd), (ins imm32:$imm), "li", "$rd, $imm",
+                 "rd = imm: addi, ori or lui, or lui and ori">;
+def LA : TPMacro<(outs GPR:$rd), (ins symbol:$symbol), "la", "$rd, $symbol",
+                 "rd = address of symbol: lui %hi(symbol), addi %lo(symbol)">;
 
 defm : RemapAllTargetPseudoPointerOperands<GPR>;

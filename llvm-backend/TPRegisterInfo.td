@@ -27,11 +27,15 @@ foreach i = 0-31 in
 def GPR : RegisterClass<"TP", [i32], 32,
                         (add (sequence "R%u", 12, 15), (sequence "R%u", 24, 28),
                              (sequence "R%u", 11, 4), R3, R2,
-                             (sequence "R%u", 16, 23), R31, R30, R29, R1, R0)>;
+                             (sequence "R%u", 16, 23), R31, R30, R29, R1, R0)> {
+  let DiagnosticString = "operand must be an integer register (r0 to r31)";
+}
 
 def FPR : RegisterClass<"TP", [f32], 32,
                         (add (sequence "F%u", 12, 19), (sequence "F%u", 11, 4),
-                             (sequence "F%u", 3, 0), (sequence "F%u", 20, 31))>;
+                             (sequence "F%u", 3, 0), (sequence "F%u", 20, 31))> {
+  let DiagnosticString = "operand must be a float register (f0 to f31)";
+}
 
 //===----------------------------------------------------------------------===//
 // Special registers, read by `mfsr`
