@@ -21,7 +21,7 @@ std::string Trap::what() const {
   case TrapKind::IllegalInstruction:
     return "illegal instruction";
   case TrapKind::FetchOutsideText:
-    return "execution left the program's text";
+    return at("execution left the program's text to", Address);
   case TrapKind::MisalignedAccess:
     return at("misaligned access to", Address);
   case TrapKind::NullAccess:

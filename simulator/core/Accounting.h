@@ -1,0 +1,29 @@
+//===- Accounting.h - Statistics at the end of a run ------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_ACCOUNTING_H
+#define TP_SIMULATOR_CORE_ACCOUNTING_H
+
+#include "simulator/core/TmRunner.h"
+#include "simulator/stats/Statistics.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tp {
+
+/// The statistics of a run of \p Cycles cycles: the sum of what the host
+/// threads counted, and per thread its losses, without those beyond the end.
+/// \p NextCycles are the cycles up to which the threads have been accounted
+/// for, NeverCycle if their EndCycle says it.
+Statistics summarize(std::span<const Thread> Threads,
+                     std::span<const uint64_t> NextCycles, uint64_t Cycles,
+                     std::span<const TmRunnerState *const> Counters);
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_ACCOUNTING_H

@@ -1,0 +1,92 @@
+//===- Engine.cpp - The cycle model of a chip -----------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/core/Engine.h"
+#include "simulator/core/EngineImplementation.h"
+#include "simulator/core/WindowLog.h"
+
+#include <cassert>
+
+namespace tp {
+
+/// Latencies and windows must be small against the range of ready words.
+static constexpr uint32_t MaxLatency = ready::CycleLimit / 8;
+
+static std::string findError(const ChipConfig &Chip, const Program &Text,
+                             const Memory &Global,
+                             const ResourceLayout &Layout) {
+  if (!Global.isMapped())
+    return "the host has no room for the chip's global memory";
+  if (Global.size() <= GlobalMemoryBegin ||
+      Global.size() > (uint64_t(1) << 32) - Chip.LocalStoreBytes)
+    return "global memory does not fit between address 0x10000 and the local "
+           "store";
+  if (Chip.TpsPerTm > OrderKeyLimit || Chip.TmCount > OrderKeyLimit)
+    return "more than 65536 TMs, or TPs per TM";
+  if (Chip.ArbitrationWindow == 0 ||
+      Chip.ArbitrationWindow > Chip.MemoryLatency)
+    return "the arbitration window is not within 1 and the memory latency";
+  for (uint32_t Latency : Chip.Latency)
+    if (Latency == 0 || Latency > MaxLatency)
+      return "a latency is not within 1 and " + std::to_string(MaxLatency);
+  if (Chip.MemoryLatency > MaxLatency)
+    return "the memory latency is above " + std::to_string(MaxLatency);
+  if (Layout.bits() > sizeof(WideWord) * 8)
+    return "too many unit types and icache banks that TPs can contend for";
+  if (Text.entry() % 4 != 0 || Text.entry() < Text.textBegin() ||
+      Text.entry() >= Text.textEnd())
+    return "the entry point is outside the program's text";
+  return {};
+}
+
+static EngineFactory chooseEngine(unsigned Bits, bool FlushToZero) {
+  if (Bits <= 64)
+    return FlushToZero ? makeEngine<uint64_t, true>
+                       : makeEngine<uint64_t, false>;
+  if (Bits <= 128)
+    return FlushToZero ? makeEngine<unsigned __int128, true>
+                       : makeEngine<unsigned __int128, false>;
+  return FlushToZero ? makeEngine<WideWord, true> : makeEngine<WideWord, false>;
+}
+
+Engine::Engine(const ChipConfig &Chip, const Program &Text, Memory &Global) {
+  ResourceLayout Layout(Chip);
+  Error = findError(Chip, Text, Global, Layout);
+  if (!Error.empty())
+    return;
+  EngineFactory Factory = chooseEngine(Layout.bits(), Chip.FlushToZero);
+  Implementation = Factory(Chip, Text, Global, Layout);
+  if (!Implementation->isMapped())
+    Error = "the host has no room for the local stores";
+}
+
+Engine::~Engine() = default;
+
+void Engine::setHostThreads(unsigned Count) {
+  Implementation->setHostThreads(Count);
+}
+
+void Engine::setOutput(OutputFunction Function) {
+  Implementation->setOutput(std::move(Function));
+}
+
+RunResult Engine::run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
+                      const ProgressFunction &Report) {
+  assert(Error.empty() && "run() of an engine with an error");
+  RunResult Result = Implementation->run(MaxCycles, Stop, Report);
+  Counts = Implementation->statistics();
+  return Result;
+}
+
+uint32_t Engine::registerOf(uint32_t Thread, unsigned Register) const {
+  return Implementation->thread(Thread).Registers[Register];
+}
+
+int32_t Engine::statusOf(uint32_t Thread) const {
+  return Implementation->thread(Thread).Status;
+}
+
+} // namespace tp

@@ -1,0 +1,47 @@
+//===- EngineImplementation.h - Engine, by resource word --------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_ENGINEIMPLEMENTATION_H
+#define TP_SIMULATOR_CORE_ENGINEIMPLEMENTATION_H
+
+#include "simulator/core/Engine.h"
+#include "simulator/core/ResourceLayout.h"
+#include "simulator/core/Thread.h"
+
+#include <memory>
+
+namespace tp {
+
+/// What the public Engine needs of the engine proper, which is compiled once
+/// per width of the resource word and float mode.
+class EngineImplementation {
+public:
+  virtual ~EngineImplementation() = default;
+  /// Whether the host gave memory for the local stores.
+  virtual bool isMapped() const = 0;
+  virtual void setHostThreads(unsigned Count) = 0;
+  virtual void setOutput(OutputFunction Function) = 0;
+  virtual RunResult run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
+                        const ProgressFunction &Report) = 0;
+  /// Valid after run().
+  virtual Statistics statistics() const = 0;
+  virtual const Thread &thread(uint32_t Number) const = 0;
+};
+
+using EngineFactory = std::unique_ptr<EngineImplementation> (*)(
+    const ChipConfig &Chip, const Program &Text, Memory &Global,
+    const ResourceLayout &Layout);
+
+/// Makes the engine for resource words of type \p Word; one translation unit
+/// each.
+template <class Word, bool FlushToZero>
+std::unique_ptr<EngineImplementation>
+makeEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
+           const ResourceLayout &Layout);
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_ENGINEIMPLEMENTATION_H

@@ -1,0 +1,15 @@
+//===- EngineNarrow.cpp - Engine for 64-bit resource words --------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/core/WindowEngine.h"
+
+namespace tp {
+
+template std::unique_ptr<EngineImplementation>
+makeEngine<uint64_t, false>(const ChipConfig &, const Program &, Memory &,
+                     const ResourceLayout &);
+
+} // namespace tp

@@ -1,0 +1,15 @@
+//===- EngineWide.cpp - Engine for wide resource words ------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/core/WindowEngine.h"
+
+namespace tp {
+
+template std::unique_ptr<EngineImplementation>
+makeEngine<WideWord, false>(const ChipConfig &, const Program &, Memory &,
+                     const ResourceLayout &);
+
+} // namespace tp

@@ -1,0 +1,220 @@
+//===- Handlers.h - Issue and execution of one thread -----------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// One handler per opcode. It checks whether the instruction can issue in this
+// cycle, executes it and continues with the handler of the next instruction by
+// a tail call: the state of the running thread stays in host registers.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_HANDLERS_H
+#define TP_SIMULATOR_CORE_HANDLERS_H
+
+#include "simulator/core/ExecutionContext.h"
+
+#include <algorithm>
+
+namespace tp {
+
+template <class Word> struct Slot;
+
+/// A host thread's working state with its table of resources.
+template <class Word> struct TmRunner : TmRunnerState {
+  /// The text, one slot per word and one behind it.
+  const Slot<Word> *Slots = nullptr;
+  Word IcacheGuards = 0;
+  Word Guards = 0;
+  /// What each cycle of the window still has free in the TM at hand; after the
+  /// last cycle comes a closed one.
+  std::vector<Word> Free;
+};
+
+/// The state of the running thread: itself, the instruction at hand, the
+/// relative cycle, the resource table such that Free[Cycle] is this cycle's,
+/// and all guard bits.
+#define TP_HANDLER_PARAMETERS                                                  \
+  Thread *T, const Slot<Word> *S, uint64_t Cycle, Word *Free,                  \
+      TmRunner<Word> *R
+#define TP_HANDLER_ARGUMENTS T, S, Cycle, Free, R
+#define TP_TAIL_CALL [[clang::musttail]] return
+
+template <class Word>
+using Handler =
+    void(__attribute__((preserve_none)) *)(TP_HANDLER_PARAMETERS);
+
+/// A decoded instruction, ready for one chip.
+template <class Word> struct Slot {
+  /// What it takes of its cycle's resources.
+  Word Use;
+  Handler<Word> Execute;
+  tp::Instruction Instruction;
+  /// Ready word of the result, to which the cycle of issue is added.
+  ReadyWord Result;
+};
+
+template <class Word, bool FlushToZero> struct Handlers {
+  /// The handler of an opcode; of IllegalOpcode one that traps.
+  static Handler<Word> of(Opcode Op) {
+    static constexpr Handler<Word> Table[] = {
+#define TP_HANDLER_OF(NAME) execute<Opcode::NAME>,
+        TP_EACH_OPCODE(TP_HANDLER_OF)
+#undef TP_HANDLER_OF
+            trapAtFetch<TrapKind::IllegalInstruction>,
+    };
+    return Table[unsigned(Op)];
+  }
+
+  /// Follows the last word of the text.
+  static Handler<Word> endOfText() {
+    return trapAtFetch<TrapKind::FetchOutsideText>;
+  }
+
+private:
+  static uint32_t pcOf(const Slot<Word> *S, const TmRunner<Word> *R) {
+    return R->Chip.TextBegin + uint32_t(S - R->Slots) * 4;
+  }
+
+  template <unsigned Count>
+  static ReadyWord latestSource(const Thread *T, const Slot<Word> *S) {
+    ReadyWord Latest = 0;
+    for (unsigned I = 0; I != Count; ++I)
+      Latest = std::max(Latest, T->Ready[S->Instruction.Source[I]]);
+    return Latest;
+  }
+
+  template <Opcode Op>
+  __attribute__((preserve_none)) static void execute(TP_HANDLER_PARAMETERS) {
+    using Instruction = Body<Op>;
+    using Context = ExecutionContext<Op, FlushToZero>;
+    using Outcome = typename Context::Outcome;
+
+    ReadyWord Latest = latestSource<Instruction::NumSources>(T, S);
+    if (ready::cycleOf(Latest) > Cycle) [[unlikely]]
+      TP_TAIL_CALL waitForData(TP_HANDLER_ARGUMENTS);
+    Word Used = Free[Cycle] + S->Use;
+    if ((Used & R->Guards) != 0) [[unlikely]]
+      TP_TAIL_CALL waitForResource(TP_HANDLER_ARGUMENTS);
+
+    uint8_t Destination = S->Instruction.Destination;
+    Instruction Run(S->Instruction, T->Registers.data());
+    Context C(*T, *R, pcOf(S, R), Cycle, Destination, S->Result);
+    Run.run(C);
+    if (C.outcome() == Outcome::Trap) [[unlikely]]
+      return stopAtTrap(T, R, pcOf(S, R), Cycle, C.trapReason(),
+                        C.trapAddress());
+    if (C.outcome() == Outcome::Blocked) [[unlikely]]
+      return block(T, S, Cycle, R, C.blocker());
+
+    Free[Cycle] = Used;
+    ++R->Executed[unsigned(Op)];
+    if constexpr (Instruction::HasDestination) {
+      if (!C.keepsDestination()) {
+        T->Ready[Destination] = C.resultReady();
+        if (!C.isDeferred())
+          T->Registers[Destination] = Run.result();
+      }
+    }
+    ++Cycle;
+    if (C.outcome() == Outcome::Leave) {
+      T->Resume = S + 1;
+      return;
+    }
+    if (C.outcome() == Outcome::Branch) {
+      S = R->Slots + C.targetWord();
+      if (R->Chip.BranchLatency != 1) [[unlikely]]
+        TP_TAIL_CALL waitForTarget(TP_HANDLER_ARGUMENTS);
+    } else {
+      ++S;
+    }
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  template <TrapKind Reason>
+  __attribute__((preserve_none)) static void
+  trapAtFetch(TP_HANDLER_PARAMETERS) {
+    if (Cycle >= R->End)
+      return leave(T, S, Cycle, R);
+    stopAtTrap(T, R, pcOf(S, R), Cycle, Reason, pcOf(S, R));
+  }
+
+  __attribute__((preserve_none, noinline)) static void
+  waitForData(TP_HANDLER_PARAMETERS) {
+    ReadyWord Latest = latestSource<3>(T, S);
+    uint64_t Lost = ready::cycleOf(Latest) - Cycle;
+    bool FromGlobal = Latest & ready::FromGlobalMemory;
+    chargeData(T, R, FromGlobal ? Loss::Memory : Loss::Data,
+               ready::producerOf(Latest), Lost);
+    Cycle += Lost;
+    if (Cycle >= R->End)
+      return leave(T, S, Cycle, R);
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  __attribute__((preserve_none, noinline)) static void
+  waitForResource(TP_HANDLER_PARAMETERS) {
+    for (;;) {
+      if (Cycle >= R->End)
+        return leave(T, S, Cycle, R);
+      Word Used = Free[Cycle] + S->Use;
+      if ((Used & R->Guards) == 0)
+        break;
+      if ((Used & R->IcacheGuards) != 0) {
+        ++T->Lost[unsigned(Loss::IcacheConflict)];
+      } else {
+        ++T->Lost[unsigned(Loss::UnitConflict)];
+        ++R->UnitConflict[unsigned(S->Instruction.Op)];
+      }
+      ++Cycle;
+    }
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  __attribute__((preserve_none, noinline)) static void
+  waitForTarget(TP_HANDLER_PARAMETERS) {
+    uint64_t Lost = R->Chip.BranchLatency - 1;
+    T->Lost[unsigned(Loss::Branch)] += Lost;
+    T->LastLoss = Loss::Branch;
+    Cycle += Lost;
+    if (Cycle >= R->End)
+      return leave(T, S, Cycle, R);
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  static void chargeData(Thread *T, TmRunner<Word> *R, Loss Reason,
+                         Opcode Producer, uint64_t Cycles) {
+    T->Lost[unsigned(Reason)] += Cycles;
+    T->LastLoss = Reason;
+    T->LastProducer = Producer;
+    R->DataStall[unsigned(Producer)] += Cycles;
+  }
+
+  static void leave(Thread *T, const Slot<Word> *S, uint64_t Cycle,
+                    TmRunner<Word> *R) {
+    T->Resume = S;
+    R->NextCycle = R->Epoch + Cycle;
+  }
+
+  [[gnu::noinline]] static void block(Thread *T, const Slot<Word> *S,
+                                      uint64_t Cycle, TmRunner<Word> *R,
+                                      Opcode Producer) {
+    chargeData(T, R, Loss::Memory, Producer, R->End - Cycle);
+    leave(T, S, R->End, R);
+  }
+
+  [[gnu::noinline]] static void stopAtTrap(Thread *T, TmRunner<Word> *R,
+                                           uint32_t Pc, uint64_t Cycle,
+                                           TrapKind Reason, uint32_t Address) {
+    Trap Info{Reason, T->Number, Pc, Address, R->Epoch + Cycle};
+    keepFirst(R->FirstTrap, {R->keyAt(Cycle), Info});
+    T->State = ThreadState::Trapped;
+    T->EndCycle = Info.Cycle;
+    R->NextCycle = NeverCycle;
+  }
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_HANDLERS_H

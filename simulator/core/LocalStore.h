@@ -1,0 +1,39 @@
+//===- LocalStore.h - Where a TP's local store is ---------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_LOCALSTORE_H
+#define TP_SIMULATOR_CORE_LOCALSTORE_H
+
+#include <cstdint>
+
+namespace tp {
+
+/// The last bytes of the address space stay unused, so that a pointer one past
+/// the end of the local store does not wrap around.
+inline constexpr uint32_t LocalStoreReservedBytes = 16;
+
+/// Cycles from the issue of a load or atomic on the local store to its result.
+inline constexpr uint32_t LocalStoreLatency = 1;
+
+/// The addresses of each TP's local store: the last Bytes of the address
+/// space without the reserved ones.
+struct LocalStoreRange {
+  uint32_t Begin;
+  uint32_t Size;
+
+  explicit LocalStoreRange(uint32_t Bytes)
+      : Begin(0 - Bytes),
+        Size(Bytes > LocalStoreReservedBytes ? Bytes - LocalStoreReservedBytes
+                                             : 0) {}
+
+  bool contains(uint32_t Address, uint32_t Bytes) const {
+    return Bytes <= Size && Address - Begin <= Size - Bytes;
+  }
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_LOCALSTORE_H

@@ -1,0 +1,62 @@
+//===- WindowCommit.h - Accesses taking effect at a window's end *- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_WINDOWCOMMIT_H
+#define TP_SIMULATOR_CORE_WINDOWCOMMIT_H
+
+#include "simulator/core/Engine.h"
+#include "simulator/core/Program.h"
+#include "simulator/core/WindowLog.h"
+
+#include <optional>
+#include <vector>
+
+namespace tp {
+
+/// Lets the accesses of a window take effect in the order of their keys.
+class WindowCommit {
+public:
+  /// \p LocalStoreBytes as in the chip's description.
+  WindowCommit(Memory &Global, const Program &Text, uint32_t LocalStoreBytes);
+
+  void setOutput(OutputFunction Function) { Output = std::move(Function); }
+
+  /// Adds the accesses of one log; they must stay where they are until
+  /// commit().
+  void add(const std::vector<GlobalAccess> &Log);
+
+  /// Does all that was added, and forgets it. \p WindowStart is the cycle from
+  /// which the keys count. Of \p FirstTrap and the traps found here the first
+  /// is left in \p FirstTrap.
+  void commit(uint64_t WindowStart, std::optional<PendingTrap> &FirstTrap);
+
+private:
+  class SharedStreamMemory;
+
+  struct Entry {
+    OrderKey Key;
+    const GlobalAccess *Access;
+    bool operator<(const Entry &Other) const { return Key < Other.Key; }
+  };
+
+  uint32_t load(uint32_t Address) const;
+  void store(uint32_t Address, uint32_t Value, unsigned Bytes);
+  /// The host call's result, or nothing if it is bad; then \p Bad says how.
+  std::optional<uint32_t> hostCall(const GlobalAccess &Access, Trap &Bad);
+  /// Host address of [Address, Address + Bytes) as the thread sees it, or null.
+  const uint8_t *hostAddress(const Thread &Owner, uint32_t Address,
+                             uint32_t Bytes) const;
+
+  Memory &Global;
+  const Program &Text;
+  uint32_t LocalStoreBytes;
+  OutputFunction Output;
+  std::vector<Entry> Order;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_WINDOWCOMMIT_H

@@ -1,0 +1,349 @@
+//===- WindowEngine.h - The engine proper -----------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// Time advances by arbitration windows. In a window each TM is simulated alone,
+// and in it each TP alone, highest priority first, against a table of what each
+// cycle still has free: a TP can never disturb one of higher priority, so this
+// is exact. What leaves a TM takes effect between the windows.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_WINDOWENGINE_H
+#define TP_SIMULATOR_CORE_WINDOWENGINE_H
+
+#include "simulator/core/Accounting.h"
+#include "simulator/core/EngineImplementation.h"
+#include "simulator/core/Handlers.h"
+#include "simulator/core/HostThreadPool.h"
+#include "simulator/core/WindowCommit.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace tp {
+
+template <class Word, bool FlushToZero>
+class WindowEngine final : public EngineImplementation {
+public:
+  WindowEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
+               const ResourceLayout &Layout);
+
+  bool isMapped() const override {
+    return Chip.LocalStoreBytes == 0 || LocalStores.data();
+  }
+  void setHostThreads(unsigned Count) override { HostThreads = Count; }
+  void setOutput(OutputFunction Function) override {
+    Commit.setOutput(std::move(Function));
+  }
+  RunResult run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
+                const ProgressFunction &Report) override;
+  Statistics statistics() const override {
+    return summarize(Threads, NextCycles, EndCycle, Counters);
+  }
+  const Thread &thread(uint32_t Number) const override {
+    return Threads[Number];
+  }
+
+private:
+  using Runner = TmRunner<Word>;
+
+  void decodeText(const Program &Text);
+  void prepareFree();
+  /// Finds the next window in which something happens.
+  void enterWindow(uint64_t MaxCycles);
+  void moveEpoch();
+  /// The part of a window that a host thread does.
+  void runTms(Runner &R);
+  uint64_t runTm(Runner &R, uint32_t Tm);
+  /// The rest of it.
+  void finishWindow();
+  void releaseBarrier();
+  Progress progress() const;
+
+  const ChipConfig Chip;
+  const ResourceLayout Layout;
+  WindowCommit Commit;
+  HostPages LocalStores;
+  unsigned HostThreads = 1;
+
+  std::vector<Slot<Word>> Slots;
+  std::vector<Thread> Threads;
+  /// Of each thread the first cycle in which it may issue, and of each TM the
+  /// least of them.
+  std::vector<uint64_t> NextCycles;
+  std::vector<uint64_t> TmNextCycles;
+
+  ChipContext Context;
+  std::vector<std::unique_ptr<Runner>> Runners;
+  /// Counters of all runners, for the statistics.
+  std::vector<const TmRunnerState *> Counters;
+  /// The resource words of the window's cycles before anything has issued.
+  std::vector<Word> InitialFree;
+  std::atomic<uint32_t> NextTm = 0;
+
+  uint64_t WindowStart = 0;
+  uint64_t WindowEnd = 0;
+  uint64_t Epoch = 0;
+  uint32_t FirstPriority = 0;
+  uint32_t Waiting = 0;
+  uint32_t Halted = 0;
+  std::optional<PendingTrap> FirstTrap;
+  uint64_t EndCycle = 0;
+};
+
+template <class Word, bool FlushToZero>
+WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
+                                              const Program &Text,
+                                              Memory &Global,
+                                              const ResourceLayout &Layout)
+    : Chip(Chip), Layout(Layout), Commit(Global, Text, Chip.LocalStoreBytes),
+      LocalStores(size_t(Chip.threadCount()) * Chip.LocalStoreBytes),
+      Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
+      TmNextCycles(Chip.TmCount) {
+  decodeText(Text);
+  LocalStoreRange Local(Chip.LocalStoreBytes);
+  Context.Chip = &this->Chip;
+  Context.Global = Global.data();
+  Context.TextBegin = Text.textBegin();
+  Context.TextWords = uint32_t(Text.instructions().size());
+  Context.ReadOnlyBytes = Text.readOnlyEnd() - Text.textBegin();
+  Context.GlobalBytes = uint32_t(Global.size() - GlobalMemoryBegin);
+  Context.LocalBegin = Local.Begin;
+  Context.LocalBytes = Local.Size;
+  Context.MemoryLatency = Chip.MemoryLatency;
+  Context.BranchLatency = Chip.Latency[unsigned(LatencyClass::Branch)];
+
+  uint32_t EntryWord = (Text.entry() - Text.textBegin()) / 4;
+  for (uint32_t I = 0; I != Threads.size(); ++I) {
+    Threads[I].Number = I;
+    Threads[I].Resume = &Slots[EntryWord];
+    Threads[I].LocalStoreBias =
+        reinterpret_cast<uintptr_t>(LocalStores.data()) +
+        uintptr_t(I) * Chip.LocalStoreBytes - Local.Begin;
+  }
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
+  uint32_t Address = Text.textBegin();
+  for (const Instruction &Decoded : Text.instructions()) {
+    Slot<Word> S{0, Handlers<Word, FlushToZero>::of(Decoded.Op), Decoded, 0};
+    if (Decoded.Op != IllegalOpcode) {
+      uint32_t Bank = Address / 4 % Chip.IcacheBanks;
+      S.Use = Word(Layout.use(unitOf(Decoded.Op), Bank));
+      S.Result = ready::after(
+          Chip.Latency[unsigned(latencyClassOf(Decoded.Op))], Decoded.Op);
+    }
+    Slots.push_back(S);
+    Address += 4;
+  }
+  Slots.push_back({0, Handlers<Word, FlushToZero>::endOfText(), {}, 0});
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::prepareFree() {
+  uint64_t Cycles = WindowEnd - WindowStart;
+  bool SameLength = InitialFree.size() == Cycles + 1;
+  if (SameLength && Layout.isUniform())
+    return;
+  InitialFree.clear();
+  for (uint64_t Cycle = WindowStart; Cycle != WindowEnd; ++Cycle)
+    InitialFree.push_back(Word(Layout.unused(Cycle)));
+  InitialFree.push_back(Word(Layout.closed()));
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::enterWindow(uint64_t MaxCycles) {
+  uint64_t Next = *std::min_element(TmNextCycles.begin(), TmNextCycles.end());
+  uint64_t Window = Next / Chip.ArbitrationWindow;
+  WindowStart = Window * Chip.ArbitrationWindow;
+  WindowEnd = std::min(WindowStart + Chip.ArbitrationWindow, MaxCycles);
+  FirstPriority = uint32_t(Window % Chip.TpsPerTm);
+  if (WindowStart - Epoch > ready::CycleLimit / 2)
+    moveEpoch();
+  prepareFree();
+  NextTm.store(0, std::memory_order_relaxed);
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::moveEpoch() {
+  uint64_t Past = WindowStart - Epoch;
+  for (Thread &T : Threads)
+    for (ReadyWord &Ready : T.Ready)
+      Ready = ready::cycleOf(Ready) < Past
+                  ? 0
+                  : Ready - ReadyWord(Past << ready::CycleShift);
+  Epoch = WindowStart;
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
+  R.WindowStart = WindowStart;
+  R.Epoch = Epoch;
+  R.End = WindowEnd - Epoch;
+  R.Log.clear();
+  // Neighbouring TMs go to the same host thread, as few atomic operations as
+  // still balance the load.
+  uint32_t Share = Runners.size() == 1
+                       ? Chip.TmCount
+                       : std::max<uint32_t>(
+                             1, Chip.TmCount / uint32_t(Runners.size() * 8));
+  for (;;) {
+    uint32_t Begin = NextTm.fetch_add(Share, std::memory_order_relaxed);
+    if (Begin >= Chip.TmCount)
+      return;
+    uint32_t End = std::min(Begin + Share, Chip.TmCount);
+    for (uint32_t Tm = Begin; Tm != End; ++Tm)
+      if (TmNextCycles[Tm] < WindowEnd)
+        TmNextCycles[Tm] = runTm(R, Tm);
+  }
+}
+
+template <class Word, bool FlushToZero>
+uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
+  std::copy(InitialFree.begin(), InitialFree.end(), R.Free.begin());
+  // The handlers index by relative cycles.
+  Word *Free = reinterpret_cast<Word *>(
+      reinterpret_cast<uintptr_t>(R.Free.data()) -
+      R.windowStartRelative() * sizeof(Word));
+  uint64_t First = NeverCycle;
+  for (uint32_t Priority = 0; Priority != Chip.TpsPerTm; ++Priority) {
+    uint32_t Tp = FirstPriority + Priority;
+    if (Tp >= Chip.TpsPerTm)
+      Tp -= Chip.TpsPerTm;
+    uint32_t Number = Tm * Chip.TpsPerTm + Tp;
+    uint64_t Next = NextCycles[Number];
+    if (Next < WindowEnd) {
+      Thread *T = &Threads[Number];
+      R.OwnLogBegin = R.Log.size();
+      R.OwnWords = 0;
+      R.OwnOrder = orderKey(0, Priority, Tm);
+      do {
+        auto *S = static_cast<const Slot<Word> *>(T->Resume);
+        R.NextCycle = NeverCycle;
+        S->Execute(T, S, Next - Epoch, Free, &R);
+        Next = R.NextCycle;
+      } while (Next < WindowEnd);
+      NextCycles[Number] = Next;
+    }
+    First = std::min(First, Next);
+  }
+  return First;
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::finishWindow() {
+  for (const std::unique_ptr<Runner> &R : Runners) {
+    Commit.add(R->Log);
+    Waiting += R->Arrived;
+    Halted += R->Halted;
+    R->Arrived = R->Halted = 0;
+    if (R->FirstTrap)
+      keepFirst(FirstTrap, *R->FirstTrap);
+  }
+  Commit.commit(WindowStart, FirstTrap);
+  if (Waiting != 0 && Waiting + Halted == Threads.size())
+    releaseBarrier();
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::releaseBarrier() {
+  for (Thread &T : Threads) {
+    if (T.State != ThreadState::AtBarrier)
+      continue;
+    T.State = ThreadState::Running;
+    T.Lost[unsigned(Loss::Barrier)] += WindowEnd - T.EndCycle;
+    NextCycles[T.Number] = WindowEnd;
+    TmNextCycles[T.Number / Chip.TpsPerTm] = WindowEnd;
+  }
+  Waiting = 0;
+}
+
+template <class Word, bool FlushToZero>
+Progress WindowEngine<Word, FlushToZero>::progress() const {
+  Progress Result{WindowEnd, 0, Halted};
+  for (const TmRunnerState *State : Counters)
+    for (uint64_t Count : State->Executed)
+      Result.Instructions += Count;
+  return Result;
+}
+
+template <class Word, bool FlushToZero>
+RunResult
+WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
+                                     const std::atomic<bool> *Stop,
+                                     const ProgressFunction &Report) {
+  using Clock = std::chrono::steady_clock;
+  if (MaxCycles == 0)
+    MaxCycles = NeverCycle;
+  unsigned Count = std::clamp(HostThreads, 1u, Chip.TmCount);
+  for (unsigned I = 0; I != Count; ++I) {
+    auto R = std::make_unique<Runner>();
+    R->Chip = Context;
+    R->Slots = Slots.data();
+    R->Guards = Word(Layout.guards());
+    R->IcacheGuards = Word(Layout.icacheGuards());
+    R->Free.resize(Chip.ArbitrationWindow + 1);
+    Counters.push_back(R.get());
+    Runners.push_back(std::move(R));
+  }
+  HostThreadPool Pool(Count, [this](unsigned I) { runTms(*Runners[I]); });
+
+  RunResult Result;
+  auto LastReport = Clock::now();
+  for (unsigned Windows = 0;; ++Windows) {
+    if (Halted == Threads.size()) {
+      EndCycle = 0;
+      for (const Thread &T : Threads)
+        EndCycle = std::max(EndCycle, T.EndCycle);
+      Result.End = RunResult::Halted;
+      for (const Thread &T : Threads)
+        if (Result.ExitStatus == 0)
+          Result.ExitStatus = T.Status;
+      break;
+    }
+    EndCycle = WindowEnd;
+    if (FirstTrap) {
+      Result.End = RunResult::Trapped;
+      Result.ExitStatus = 1;
+      Result.TrapInfo = FirstTrap->Info;
+      break;
+    }
+    if (WindowEnd >= MaxCycles) {
+      Result.End = RunResult::CycleLimit;
+      break;
+    }
+    if (Stop && Stop->load(std::memory_order_relaxed)) {
+      Result.End = RunResult::Stopped;
+      break;
+    }
+    if (Report && Windows % 32 == 0 &&
+        Clock::now() - LastReport > std::chrono::milliseconds(100)) {
+      LastReport = Clock::now();
+      Report(progress());
+    }
+    enterWindow(MaxCycles);
+    if (WindowStart >= MaxCycles) {
+      WindowEnd = MaxCycles;
+      continue;
+    }
+    Pool.run();
+    finishWindow();
+  }
+  return Result;
+}
+
+template <class Word, bool FlushToZero>
+std::unique_ptr<EngineImplementation>
+makeEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
+           const ResourceLayout &Layout) {
+  return std::make_unique<WindowEngine<Word, FlushToZero>>(Chip, Text, Global,
+                                                           Layout);
+}
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_WINDOWENGINE_H
