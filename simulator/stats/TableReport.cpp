@@ -61,8 +61,8 @@ void writeHead(const RunSummary &Run, raw_ostream &OS) {
   if (std::optional<RayRates> Rates = rayRates(Run)) {
     OS << formatv("{0,-16}{1,18}   {2:F2} Mrays/s", "rays",
                   grouped(Rates->Rays), Rates->Chip / 1e6);
-    OS << formatv(" (threads: {0:F4} to {1:F4})\n", Rates->SlowestThread / 1e6,
-                  Rates->FastestThread / 1e6);
+    OS << format(" (threads: %.3g to %.3g)\n", Rates->SlowestThread / 1e6,
+                 Rates->FastestThread / 1e6);
   }
   OS << '\n';
 }
