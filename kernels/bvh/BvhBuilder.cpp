@@ -18,9 +18,9 @@ constexpr unsigned BinCount = 16;
 class BinMapping {
 public:
   explicit BinMapping(const BoundingBox &DoubleCenters)
-      : Origin(DoubleCenters.Lower), Scale{scale(DoubleCenters.size().X),
-                                           scale(DoubleCenters.size().Y),
-                                           scale(DoubleCenters.size().Z)} {}
+      : Origin(DoubleCenters.Lower),
+        Scale{scale(DoubleCenters.size().X), scale(DoubleCenters.size().Y),
+              scale(DoubleCenters.size().Z)} {}
 
   unsigned bin(Vector3 DoubleCenter, unsigned Axis) const {
     const float Position =
@@ -212,8 +212,7 @@ uint32_t Builder::chooseMiddle(const Range &Primitives, uint32_t DepthLeft) {
   // Nothing relies on the partition finding the numbers that the bins counted:
   // with other float rules, both may round differently.
   const uint32_t Middle = partition(Primitives, Mapping, Best);
-  const bool OneSided =
-      Middle == Primitives.Begin || Middle == Primitives.End;
+  const bool OneSided = Middle == Primitives.Begin || Middle == Primitives.End;
   return OneSided ? Half : Middle;
 }
 

@@ -18,9 +18,9 @@
 
 namespace tp {
 
-/// What visits cost a traversal, in cycles. Only the ratios matter. The defaults
-/// estimate the report's chip: a visit waits 100 cycles for memory, whether node
-/// or leaf, and issues its instructions.
+/// What visits cost a traversal, in cycles. Only the ratios matter. The
+/// defaults estimate the report's chip: a visit waits 100 cycles for memory,
+/// whether node or leaf, and issues its instructions.
 struct BvhCosts {
   float Node = 160;
   float Leaf = 110;

@@ -38,15 +38,16 @@ struct Hit {
 class RayBoxTester {
 public:
   explicit RayBoxTester(const Ray &R)
-      : Origin(R.Origin), Inverse{inverse(R.Direction.X),
-                                  inverse(R.Direction.Y),
-                                  inverse(R.Direction.Z)},
+      : Origin(R.Origin),
+        Inverse{inverse(R.Direction.X), inverse(R.Direction.Y),
+                inverse(R.Direction.Z)},
         NearX(nearOffset(R.Direction.X)), NearY(nearOffset(R.Direction.Y)),
         NearZ(nearOffset(R.Direction.Z)), FarX(kBoundsSideBytes - NearX),
         FarY(kBoundsSideBytes - NearY), FarZ(kBoundsSideBytes - NearZ) {}
 
   /// For both children of a node, the distances at which the ray enters and
-  /// leaves their boxes, within (0, MaxDistance); it misses where Enter > Leave.
+  /// leaves their boxes, within (0, MaxDistance); it misses where Enter >
+  /// Leave.
   struct Distances {
     float Enter[2];
     float Leave[2];

@@ -30,8 +30,8 @@ class LaunchMemory {
 public:
   virtual ~LaunchMemory() = default;
 
-  /// Zeroed memory at a multiple of \p Alignment (a power of two), or 0 if there
-  /// is no room.
+  /// Zeroed memory at a multiple of \p Alignment (a power of two), or 0 if
+  /// there is no room.
   virtual DeviceAddress allocate(size_t Bytes, uint32_t Alignment) = 0;
   /// Copies to and from memory that allocate() gave.
   virtual void write(DeviceAddress Address, const void *Source,
@@ -62,8 +62,8 @@ Status checkRenderOptions(const RenderOptions &Options);
 /// not that or out of limits.
 Status parseImageSize(std::string_view Text, RenderOptions &Options);
 
-/// Places everything that a rendering kernel needs on \p ThreadCount threads and
-/// returns a launch block with the version, the scene, the framebuffer, the
+/// Places everything that a rendering kernel needs on \p ThreadCount threads
+/// and returns a launch block with the version, the scene, the framebuffer, the
 /// options and the counters filled in; arguments and heap are 0. Fails if
 /// \p Memory has no room.
 ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,

@@ -32,8 +32,8 @@ inline Vector3 sampleCosineHemisphere(Vector3 UnitNormal, uint32_t WordA,
   return dot(Direction, Direction) > 1e-4f ? Direction : UnitNormal;
 }
 
-/// A point of the triangle with corner \p Vertex and edges \p EdgeA and \p EdgeB
-/// from it, uniform by area.
+/// A point of the triangle with corner \p Vertex and edges \p EdgeA and \p
+/// EdgeB from it, uniform by area.
 inline Vector3 sampleTriangle(Vector3 Vertex, Vector3 EdgeA, Vector3 EdgeB,
                               uint32_t WordA, uint32_t WordB) {
   float A = unitFloat(WordA);

@@ -26,9 +26,8 @@ public:
   BlockWriter() : Bytes(sizeof(SceneHeader)) {}
 
   template <typename T> uint32_t append(const std::vector<T> &Records) {
-    const size_t Offset =
-        (Bytes.size() + kSceneAlignment - 1) / kSceneAlignment *
-        kSceneAlignment;
+    const size_t Offset = (Bytes.size() + kSceneAlignment - 1) /
+                          kSceneAlignment * kSceneAlignment;
     const size_t Size = Records.size() * sizeof(T);
     assert(Offset + Size <= UINT32_MAX && "the loader bounds scenes");
     Bytes.resize(Offset + Size);
@@ -53,8 +52,8 @@ private:
 static float largestCoordinate(const Scene &Source) {
   float Largest = 0;
   auto Consider = [&](Vector3 Point) {
-    Largest = std::max({Largest, std::abs(Point.X), std::abs(Point.Y),
-                        std::abs(Point.Z)});
+    Largest = std::max(
+        {Largest, std::abs(Point.X), std::abs(Point.Y), std::abs(Point.Z)});
   };
   Consider(Source.Camera.Position);
   for (const Triangle &Shape : Source.Triangles)

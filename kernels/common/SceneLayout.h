@@ -54,8 +54,8 @@ struct BvhNode {
   uint32_t Reserved[2];
 };
 
-/// The byte offset in a BvhNode of the lower bounds of \p Axis, and the distance
-/// from there to the upper bounds.
+/// The byte offset in a BvhNode of the lower bounds of \p Axis, and the
+/// distance from there to the upper bounds.
 constexpr uint32_t boundsOffset(uint32_t Axis) { return Axis * 16; }
 inline constexpr uint32_t kBoundsSideBytes = 8;
 
@@ -66,10 +66,10 @@ struct PlaneEquation {
 };
 
 /// A triangle in the form that intersects with the fewest operations: its plane
-/// with a unit normal, and the barycentric coordinates U (of vertex 1) and V (of
-/// vertex 2) as functions of the hit point. After D. Baldwin and M. Weber, "Fast
-/// Ray-Triangle Intersections by Coordinate Transformation", JCGT 5(3), 2016,
-/// without their reduction of the plane's row.
+/// with a unit normal, and the barycentric coordinates U (of vertex 1) and V
+/// (of vertex 2) as functions of the hit point. After D. Baldwin and M. Weber,
+/// "Fast Ray-Triangle Intersections by Coordinate Transformation", JCGT 5(3),
+/// 2016, without their reduction of the plane's row.
 struct TriangleRecord {
   PlaneEquation Plane;
   PlaneEquation U;
@@ -96,8 +96,8 @@ struct LightRecord {
 
 /// One cell of the table that picks lights in proportion to their area: the
 /// light of the cell's own number with probability Keep / 2^32, else Alias.
-/// After M. Vose, "A Linear Algorithm for Generating Random Numbers with a Given
-/// Distribution", IEEE TSE 17(9), 1991.
+/// After M. Vose, "A Linear Algorithm for Generating Random Numbers with a
+/// Given Distribution", IEEE TSE 17(9), 1991.
 struct LightChoice {
   uint32_t Keep;
   uint32_t Alias;

@@ -28,8 +28,7 @@ public:
   DeviceAddress allocate(size_t Bytes, uint32_t Alignment) override {
     return Bytes <= UINT32_MAX ? host::allocate(uint32_t(Bytes), Alignment) : 0;
   }
-  void write(DeviceAddress Address, const void *Source,
-             size_t Bytes) override {
+  void write(DeviceAddress Address, const void *Source, size_t Bytes) override {
     std::memcpy(host::hostPointer(Address), Source, Bytes);
   }
   void read(DeviceAddress Address, void *Target, size_t Bytes) const override {

@@ -59,8 +59,8 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
   for (;;) {
     Status Parsed = success();
     // The leading colon tells a missing value from an unknown option.
-    switch (getopt_long(ArgumentCount, Arguments, ":o:", LongOptions,
-                        nullptr)) {
+    switch (
+        getopt_long(ArgumentCount, Arguments, ":o:", LongOptions, nullptr)) {
     case Scene:
       Options.ScenePath = optarg;
       break;

@@ -29,8 +29,8 @@ struct RunnerOptions {
 /// The text of `--help`.
 std::string runnerUsage(const std::string &Program);
 
-/// Reads the command line. Fails, naming the option, if it is unknown, lacks its
-/// value or has a bad one, or if there is no scene.
+/// Reads the command line. Fails, naming the option, if it is unknown, lacks
+/// its value or has a bad one, or if there is no scene.
 ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
                                           char *const *Arguments);
 

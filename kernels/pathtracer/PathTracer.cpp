@@ -4,10 +4,10 @@
 //
 //===----------------------------------------------------------------------===//
 //
-// Every thread takes pixels until none is left. At each hit a shadow ray goes to
-// a random point of the lights, then a cosine-weighted ray bounces on, until the
-// path has the launch block's depth. Emission is seen directly by primary rays
-// only; for all later vertices the shadow rays account for it.
+// Every thread takes pixels until none is left. At each hit a shadow ray goes
+// to a random point of the lights, then a cosine-weighted ray bounces on, until
+// the path has the launch block's depth. Emission is seen directly by primary
+// rays only; for all later vertices the shadow rays account for it.
 //
 //===----------------------------------------------------------------------===//
 
@@ -56,8 +56,7 @@ public:
     Vector3 Sum;
     for (uint32_t Sample = 0; Sample != SamplesPerPixel; ++Sample)
       Sum = Sum + tracePath(primaryRay(X, Y, Pixel, Sample), Pixel, Sample);
-    return Sum *
-           (1.0f / static_cast<float>(static_cast<int>(SamplesPerPixel)));
+    return Sum * (1.0f / static_cast<float>(static_cast<int>(SamplesPerPixel)));
   }
 
   uint32_t rayCount() const { return RayCount; }
@@ -117,8 +116,7 @@ Vector3 PathTracer::sampleLights(const Vertex &At, RandomWords Random) {
   const RandomChoice Cell = chooseIndex(Random.X, LightCount);
   const LightChoice Choice = Scene.LightChoices[Cell.Index];
   const bool Keep = Cell.Remainder < Choice.Keep;
-  const LightRecord &Light =
-      Scene.Lights[Keep ? Cell.Index : Choice.Alias];
+  const LightRecord &Light = Scene.Lights[Keep ? Cell.Index : Choice.Alias];
   const Vector3 Emission = Light.Emission;
   const Vector3 LightNormal = Light.UnitNormal;
   const Vector3 Point = sampleTriangle(Light.Vertex, Light.Edges[0],
@@ -163,9 +161,9 @@ Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
     // Dimension 0 is the camera's; two events at each vertex.
     if (LightCount != 0)
       Radiance =
-          Radiance + Throughput * sampleLights(At, randomWords(Pixel, Sample,
-                                                               2 * Depth - 1,
-                                                               Seed));
+          Radiance +
+          Throughput *
+              sampleLights(At, randomWords(Pixel, Sample, 2 * Depth - 1, Seed));
     if (Depth == MaxDepth)
       return Radiance;
     const RandomWords Bounce = randomWords(Pixel, Sample, 2 * Depth, Seed);

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <png.h>
 
 namespace tp {
@@ -24,6 +25,13 @@ static std::vector<png_byte> toBytes(const Image &Picture) {
 
 static Error pngError(const std::string &Path, const char *Reason) {
   return Error{Path + ": " + Reason};
+}
+
+/// Leaves devices and pipes alone.
+static void removeRegularFile(const std::string &Path) {
+  std::error_code Ignored;
+  if (std::filesystem::is_regular_file(Path, Ignored))
+    std::filesystem::remove(Path, Ignored);
 }
 
 Status writePng(const std::string &Path, const Image &Picture) {
@@ -49,7 +57,7 @@ Status writePng(const std::string &Path, const Image &Picture) {
   if (Written && Closed)
     return success();
   const std::string Reason = Written ? std::strerror(errno) : Header.message;
-  std::remove(Path.c_str());
+  removeRegularFile(Path);
   return pngError(Path, Reason.c_str());
 }
 

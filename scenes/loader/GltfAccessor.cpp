@@ -43,10 +43,9 @@ static ErrorOr<ElementRange> findElements(const tinygltf::Model &Model,
                                     std::to_string(Accessor.bufferView));
   const tinygltf::BufferView &View = Model.bufferViews[Accessor.bufferView];
   if (View.buffer < 0 || size_t(View.buffer) >= Model.buffers.size())
-    return accessorError(Index, "buffer view " +
-                                    std::to_string(Accessor.bufferView) +
-                                    " has no buffer " +
-                                    std::to_string(View.buffer));
+    return accessorError(Index,
+                         "buffer view " + std::to_string(Accessor.bufferView) +
+                             " has no buffer " + std::to_string(View.buffer));
   const int ElementBytes =
       tinygltf::GetComponentSizeInBytes(Accessor.componentType) *
       tinygltf::GetNumComponentsInType(Accessor.type);
@@ -70,12 +69,11 @@ static ErrorOr<ElementRange> findElements(const tinygltf::Model &Model,
        Accessor.count - 1 <=
            (ViewBytes - Accessor.byteOffset - ElementBytes) / size_t(Stride));
   if (!Fits)
-    return accessorError(Index,
-                         std::to_string(Accessor.count) +
-                             " elements end beyond buffer view " +
-                             std::to_string(Accessor.bufferView) +
-                             ", which has " + std::to_string(ViewBytes) +
-                             " bytes");
+    return accessorError(Index, std::to_string(Accessor.count) +
+                                    " elements end beyond buffer view " +
+                                    std::to_string(Accessor.bufferView) +
+                                    ", which has " + std::to_string(ViewBytes) +
+                                    " bytes");
   return ElementRange{Buffer.data() + View.byteOffset + Accessor.byteOffset,
                       Accessor.count, size_t(Stride), Accessor.componentType,
                       Accessor.type};
@@ -132,12 +130,11 @@ ErrorOr<std::vector<uint32_t>> readIndices(const tinygltf::Model &Model,
   for (size_t Element = 0; Element != Range->Count; ++Element) {
     Indices[Element] = Read(Range->First + Element * Range->Stride);
     if (Indices[Element] >= VertexCount)
-      return accessorError(Index, "element " + std::to_string(Element) +
-                                      " is index " +
-                                      std::to_string(Indices[Element]) +
-                                      ", but there are only " +
-                                      std::to_string(VertexCount) +
-                                      " vertices");
+      return accessorError(Index,
+                           "element " + std::to_string(Element) + " is index " +
+                               std::to_string(Indices[Element]) +
+                               ", but there are only " +
+                               std::to_string(VertexCount) + " vertices");
   }
   return Indices;
 }

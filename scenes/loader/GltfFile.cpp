@@ -66,14 +66,13 @@ ErrorOr<tinygltf::Model> readGltf(const std::string &Path) {
   std::string Failure, Warning;
   bool Parsed = false;
   try {
-    Parsed = IsBinary
-                 ? Parser.LoadBinaryFromMemory(&Model, &Failure, &Warning,
-                                               Bytes->data(), Size,
-                                               folderOf(Path))
-                 : Parser.LoadASCIIFromString(
-                       &Model, &Failure, &Warning,
-                       reinterpret_cast<const char *>(Bytes->data()), Size,
-                       folderOf(Path));
+    Parsed = IsBinary ? Parser.LoadBinaryFromMemory(&Model, &Failure, &Warning,
+                                                    Bytes->data(), Size,
+                                                    folderOf(Path))
+                      : Parser.LoadASCIIFromString(
+                            &Model, &Failure, &Warning,
+                            reinterpret_cast<const char *>(Bytes->data()), Size,
+                            folderOf(Path));
   } catch (const std::exception &Exception) {
     Failure = Exception.what();
   }

@@ -78,9 +78,8 @@ static ErrorOr<Vector3> readColor(const std::vector<double> &Components,
                  float(Components[2] * Scale)};
 }
 
-ErrorOr<Material>
-SceneBuilder::readMaterial(const tinygltf::Material &Source,
-                           const std::string &Element) {
+ErrorOr<Material> SceneBuilder::readMaterial(const tinygltf::Material &Source,
+                                             const std::string &Element) {
   Material Target;
   Target.Name = Source.name;
   const tinygltf::PbrMetallicRoughness &Pbr = Source.pbrMetallicRoughness;
@@ -280,10 +279,10 @@ Status SceneBuilder::addCamera(int Index, const Transform &ToWorld) {
   Target.Position = ToWorld.point({0, 0, 0});
   Target.Forward = toVector3(*Forward);
   Target.Up = toVector3(*UnitUp);
-  Target.Right = toVector3(
-      {(*Forward)[1] * (*UnitUp)[2] - (*Forward)[2] * (*UnitUp)[1],
-       (*Forward)[2] * (*UnitUp)[0] - (*Forward)[0] * (*UnitUp)[2],
-       (*Forward)[0] * (*UnitUp)[1] - (*Forward)[1] * (*UnitUp)[0]});
+  Target.Right =
+      toVector3({(*Forward)[1] * (*UnitUp)[2] - (*Forward)[2] * (*UnitUp)[1],
+                 (*Forward)[2] * (*UnitUp)[0] - (*Forward)[0] * (*UnitUp)[2],
+                 (*Forward)[0] * (*UnitUp)[1] - (*Forward)[1] * (*UnitUp)[0]});
   Target.VerticalFieldOfView = float(Source.perspective.yfov);
   if (!isFinite(Target.Position))
     return inside(Element, "its position is not finite");

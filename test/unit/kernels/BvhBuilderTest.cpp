@@ -1,0 +1,232 @@
+//===- BvhBuilderTest.cpp - Invariants of every tree ----------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/bvh/BvhBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <vector>
+
+using namespace tp;
+
+namespace {
+
+struct Tree {
+  std::vector<BoundingBox> Boxes;
+  std::vector<uint32_t> Order;
+  std::vector<BvhNode> Nodes;
+  BvhReference Root = 0;
+};
+
+} // namespace
+
+static Tree build(std::vector<BoundingBox> Boxes) {
+  Tree Result;
+  const uint32_t Count = uint32_t(Boxes.size());
+  Result.Boxes = std::move(Boxes);
+  Result.Order.resize(Count);
+  Result.Nodes.resize(Count - 1);
+  BvhStorage Storage{Result.Boxes.data(), Count, Result.Order.data(),
+                     Result.Nodes.data(), 0};
+  Result.Root = buildBvh(Storage);
+  EXPECT_LE(Storage.NodeCount, Count - 1);
+  Result.Nodes.resize(Storage.NodeCount);
+  return Result;
+}
+
+static BoundingBox childBox(const BvhNode &Node, unsigned Child) {
+  auto Side = [&](unsigned Which) {
+    return Vector3{Node.Bounds[0][Which][Child], Node.Bounds[1][Which][Child],
+                   Node.Bounds[2][Which][Child]};
+  };
+  return {Side(0), Side(1)};
+}
+
+static bool contains(const BoundingBox &Outer, const BoundingBox &Inner) {
+  return Outer.Lower.X <= Inner.Lower.X && Outer.Lower.Y <= Inner.Lower.Y &&
+         Outer.Lower.Z <= Inner.Lower.Z && Outer.Upper.X >= Inner.Upper.X &&
+         Outer.Upper.Y >= Inner.Upper.Y && Outer.Upper.Z >= Inner.Upper.Z;
+}
+
+static bool equal(const BoundingBox &A, const BoundingBox &B) {
+  return contains(A, B) && contains(B, A);
+}
+
+/// Checks the subtree and returns the exact box of its primitives.
+static BoundingBox check(const Tree &T, BvhReference Reference, uint32_t Depth,
+                         uint32_t &NextPrimitive, uint32_t &VisitedNodes) {
+  BoundingBox Box;
+  if (isLeaf(Reference)) {
+    // Leaves lie in the order in which a depth-first walk meets them.
+    EXPECT_EQ(leafFirst(Reference), NextPrimitive);
+    EXPECT_GE(leafCount(Reference), 1u);
+    for (uint32_t I = 0; I != leafCount(Reference); ++I)
+      Box.extend(T.Boxes[T.Order[NextPrimitive++]]);
+    return Box;
+  }
+  EXPECT_LT(Depth, kMaxBvhDepth);
+  EXPECT_EQ(Reference % sizeof(BvhNode), 0u);
+  ++VisitedNodes;
+  const BvhNode &Node = T.Nodes.at(Reference / sizeof(BvhNode));
+  for (unsigned Child = 0; Child != 2; ++Child) {
+    const BoundingBox Inside =
+        check(T, Node.Child[Child], Depth + 1, NextPrimitive, VisitedNodes);
+    EXPECT_TRUE(equal(childBox(Node, Child), Inside));
+    Box.extend(Inside);
+  }
+  return Box;
+}
+
+static void expectValid(const Tree &T) {
+  uint32_t NextPrimitive = 0, VisitedNodes = 0;
+  check(T, T.Root, 0, NextPrimitive, VisitedNodes);
+  EXPECT_EQ(NextPrimitive, T.Boxes.size());
+  EXPECT_EQ(VisitedNodes, T.Nodes.size());
+  std::vector<uint32_t> Sorted = T.Order;
+  std::sort(Sorted.begin(), Sorted.end());
+  for (uint32_t I = 0; I != Sorted.size(); ++I)
+    ASSERT_EQ(Sorted[I], I) << "a permutation holds every primitive once";
+}
+
+/// The expected cost of a ray that hits the root's box, by the surface area
+/// heuristic.
+static double expectedCost(const Tree &T, BvhReference Reference,
+                           const BvhCosts &Costs) {
+  if (isLeaf(Reference))
+    return Costs.Leaf + Costs.Triangle * leafCount(Reference);
+  const BvhNode &Node = T.Nodes[Reference / sizeof(BvhNode)];
+  BoundingBox Box = childBox(Node, 0);
+  Box.extend(childBox(Node, 1));
+  double Cost = Costs.Node;
+  for (unsigned Child = 0; Child != 2; ++Child)
+    Cost += childBox(Node, Child).halfArea() / Box.halfArea() *
+            expectedCost(T, Node.Child[Child], Costs);
+  return Cost;
+}
+
+static std::vector<BoundingBox> randomBoxes(uint32_t Count, float Size) {
+  std::mt19937 Generator(Count);
+  std::uniform_real_distribution<float> Position(-100, 100), Extent(0, Size);
+  std::vector<BoundingBox> Boxes;
+  for (uint32_t I = 0; I != Count; ++I) {
+    const Vector3 Lower = {Position(Generator), Position(Generator),
+                           Position(Generator)};
+    const Vector3 Upper = Lower + Vector3{Extent(Generator), Extent(Generator),
+                                          Extent(Generator)};
+    Boxes.push_back({Lower, Upper});
+  }
+  return Boxes;
+}
+
+TEST(BvhBuilder, OnePrimitiveIsALeaf) {
+  const Tree T = build(randomBoxes(1, 1));
+  EXPECT_EQ(T.Root, leafReference(0, 1));
+  EXPECT_TRUE(T.Nodes.empty());
+}
+
+TEST(BvhBuilder, TreesOfEverySmallSizeAreValid) {
+  for (uint32_t Count = 1; Count != 200; ++Count)
+    expectValid(build(randomBoxes(Count, 30)));
+}
+
+TEST(BvhBuilder, LargeTreeIsValid) {
+  expectValid(build(randomBoxes(50000, 2)));
+}
+
+TEST(BvhBuilder, EqualBoxesMakeABalancedTree) {
+  for (uint32_t Count : {2u, 15u, 16u, 31u, 1000u})
+    expectValid(build(
+        std::vector<BoundingBox>(Count, BoundingBox{{1, 2, 3}, {4, 5, 6}})));
+}
+
+TEST(BvhBuilder, PointsLinesAndPlanesAreValid) {
+  std::vector<BoundingBox> Points, Line, Plane;
+  for (int I = 0; I != 300; ++I) {
+    const Vector3 OnLine = {float(I), 0, 0};
+    const Vector3 OnPlane = {float(I % 17), 5, float(I / 17)};
+    Points.push_back({{7, 7, 7}, {7, 7, 7}});
+    Line.push_back({OnLine, OnLine});
+    Plane.push_back({OnPlane, OnPlane + Vector3{1, 0, 1}});
+  }
+  expectValid(build(Points));
+  expectValid(build(Line));
+  expectValid(build(Plane));
+}
+
+/// Each split would take one box off: without a bound on the depth the tree
+/// would be thousands of levels deep.
+TEST(BvhBuilder, ExponentialSizesKeepTheDepthBound) {
+  std::vector<BoundingBox> Boxes;
+  for (int I = 0; I != 4000; ++I) {
+    const float Position = std::ldexp(1.0f, -(I % 120)) * (I < 2000 ? 1 : -1);
+    Boxes.push_back({{Position, Position, Position},
+                     {Position * 1.0001f, Position * 1.0001f, Position}});
+    if (Boxes.back().Lower.X > Boxes.back().Upper.X)
+      std::swap(Boxes.back().Lower, Boxes.back().Upper);
+  }
+  expectValid(build(Boxes));
+}
+
+TEST(BvhBuilder, HugeAndTinyCoordinatesAreValid) {
+  std::vector<BoundingBox> Boxes = randomBoxes(500, 10);
+  for (size_t I = 0; I != Boxes.size(); ++I) {
+    const float Scale = I % 2 ? 1e16f : 1e-25f;
+    Boxes[I] = {Boxes[I].Lower * Scale, Boxes[I].Upper * Scale};
+  }
+  expectValid(build(Boxes));
+}
+
+/// Centres on a regular tiling lie on the boundaries of bins: the input on
+/// which inconsistent rounding loses triangles.
+TEST(BvhBuilder, RegularTilingIsValid) {
+  std::vector<BoundingBox> Boxes;
+  for (int X = 0; X != 64; ++X)
+    for (int Y = 0; Y != 64; ++Y) {
+      const Vector3 Corner = {X * 0.3f, Y * 0.3f, 0};
+      Boxes.push_back({Corner, Corner + Vector3{0.3f, 0.3f, 0}});
+    }
+  expectValid(build(Boxes));
+}
+
+TEST(BvhBuilder, BuildsTheSameTreeTwice) {
+  const Tree A = build(randomBoxes(3000, 5)), B = build(randomBoxes(3000, 5));
+  EXPECT_EQ(A.Order, B.Order);
+  EXPECT_EQ(A.Root, B.Root);
+}
+
+TEST(BvhBuilder, HeuristicBeatsMedianSplits) {
+  // A dense cluster in a sparse field: where to cut matters.
+  std::vector<BoundingBox> Boxes = randomBoxes(1000, 1);
+  for (size_t I = 0; I != 500; ++I)
+    Boxes[I] = {Boxes[I].Lower * 0.01f, Boxes[I].Lower * 0.01f};
+  const Tree Heuristic = build(Boxes);
+
+  // A median tree over the same order has the cost of cuts in the middle.
+  struct Median {
+    const Tree &T;
+    BvhCosts Costs;
+    BoundingBox Box;
+    double cost(uint32_t Begin, uint32_t End, BoundingBox &Bounds) {
+      for (uint32_t I = Begin; I != End; ++I)
+        Bounds.extend(T.Boxes[T.Order[I]]);
+      if (End - Begin <= 2)
+        return Costs.Leaf + Costs.Triangle * float(End - Begin);
+      const uint32_t Middle = (Begin + End) / 2;
+      BoundingBox Left, Right;
+      const double LeftCost = cost(Begin, Middle, Left);
+      const double RightCost = cost(Middle, End, Right);
+      return Costs.Node +
+             (Left.halfArea() * LeftCost + Right.halfArea() * RightCost) /
+                 Bounds.halfArea();
+    }
+  };
+  BoundingBox Bounds;
+  const double MedianCost =
+      Median{Heuristic, {}, {}}.cost(0, uint32_t(Boxes.size()), Bounds);
+  EXPECT_LT(expectedCost(Heuristic, Heuristic.Root, {}), MedianCost * 0.9);
+}
