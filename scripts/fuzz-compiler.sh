@@ -41,8 +41,9 @@ compare() {
   trap 'rm -rf "$work"' RETURN
   # Packed structs, unions and pointers into them would make the checksum
   # depend on the layout.
-  csmith --seed "$seed" --no-packed-struct --no-unions --no-volatile-pointers \
-    --max-funcs 6 --max-block-depth 4 >"$work/program.c"
+  # (csmith leaves a file platform.info where it runs.)
+  (cd "$work" && csmith --seed "$seed" --no-packed-struct --no-unions \
+    --no-volatile-pointers --max-funcs 6 --max-block-depth 4 >program.c)
   # A constant's suffix L means 32 bits on the TP and 64 natively; the values
   # fit 32 bits, and without the suffix both sides agree on the type.
   sed -i -E 's/\b(0[xX][0-9A-Fa-f]+|[0-9]+)(U?)L\b/\1\2/g' "$work/program.c"
