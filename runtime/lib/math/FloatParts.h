@@ -1,0 +1,122 @@
+//===- FloatParts.h - Bits of a float and pairs of floats -------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_RUNTIME_LIB_MATH_FLOATPARTS_H
+#define TP_RUNTIME_LIB_MATH_FLOATPARTS_H
+
+#include "tp/math.h"
+#include <stdint.h>
+
+namespace tp {
+
+inline constexpr uint32_t kFloatSign = 0x80000000u;
+inline constexpr uint32_t kFloatInfinity = 0x7F800000u;
+inline constexpr uint32_t kFloatOne = 0x3F800000u;
+
+inline uint32_t floatBits(float X) { return __builtin_bit_cast(uint32_t, X); }
+inline float floatFromBits(uint32_t Bits) {
+  return __builtin_bit_cast(float, Bits);
+}
+inline float floatNaN() { return floatFromBits(0x7FC00000u); }
+inline float floatInfinity() { return floatFromBits(kFloatInfinity); }
+
+/// 2 to the \p Exponent, which is in [-126, 127].
+inline float powerOfTwo(int Exponent) {
+  return floatFromBits(static_cast<uint32_t>(Exponent + 127) << 23);
+}
+
+/// \p X * 2^\p Exponent for \p X in [0.5, 2] and any exponent in [-252, 252],
+/// rounded once.
+inline float scale(float X, int Exponent) {
+  if (Exponent > 126)
+    return X * powerOfTwo(Exponent - 126) * powerOfTwo(126);
+  if (Exponent < -125)
+    return X * powerOfTwo(Exponent + 126) * powerOfTwo(-126);
+  return X * powerOfTwo(Exponent);
+}
+
+/// A number of about 48 significant bits: the sum of the two, of which Low is
+/// at most half a unit in High's last place.
+struct FloatPair {
+  float High;
+  float Low;
+};
+
+/// A + B exactly, for |A| >= |B|.
+inline FloatPair fastTwoSum(float A, float B) {
+  float Sum = A + B;
+  return {Sum, B - (Sum - A)};
+}
+
+/// A + B exactly (Knuth).
+inline FloatPair twoSum(float A, float B) {
+  float Sum = A + B;
+  float PartB = Sum - A;
+  return {Sum, (A - (Sum - PartB)) + (B - PartB)};
+}
+
+/// A * B exactly, if nothing overflows or is subnormal: products of halves of
+/// 12 bits (Dekker).
+inline FloatPair twoProduct(float A, float B) {
+  float HighA = floatFromBits(floatBits(A) & 0xFFFFF000u);
+  float HighB = floatFromBits(floatBits(B) & 0xFFFFF000u);
+  float LowA = A - HighA;
+  float LowB = B - HighB;
+  float Product = A * B;
+  float Error = HighA * HighB - Product;
+  Error += HighA * LowB;
+  Error += LowA * HighB;
+  Error += LowA * LowB;
+  return {Product, Error};
+}
+
+inline FloatPair multiply(FloatPair A, FloatPair B) {
+  FloatPair P = twoProduct(A.High, B.High);
+  return fastTwoSum(P.High, P.Low + (A.High * B.Low + A.Low * B.High));
+}
+
+inline FloatPair multiply(FloatPair A, float B) {
+  FloatPair P = twoProduct(A.High, B);
+  return fastTwoSum(P.High, P.Low + A.Low * B);
+}
+
+/// A + B for |A| >= |B|.
+inline FloatPair add(float A, FloatPair B) {
+  FloatPair S = fastTwoSum(A, B.High);
+  return fastTwoSum(S.High, S.Low + B.Low);
+}
+
+/// A / B.
+inline FloatPair divide(float A, FloatPair B) {
+  float Quotient = A / B.High;
+  FloatPair P = twoProduct(Quotient, B.High);
+  float Rest = ((A - P.High) - P.Low) - Quotient * B.Low;
+  return fastTwoSum(Quotient, Rest / B.High);
+}
+
+/// \p X times 2 to the \p Exponent taken apart so that the result is in
+/// [sqrt(1/2), sqrt(2)). \p Bits are those of a finite number above 0.
+inline float splitAroundOne(uint32_t Bits, int &Exponent) {
+  Exponent = 0;
+  if (Bits < 0x00800000u) {
+    Bits = floatBits(floatFromBits(Bits) * 0x1p23f);
+    Exponent = -23;
+  }
+  // The bits of sqrt(1/2), so that the exponent counts from there.
+  constexpr uint32_t Start = 0x3F3504F3u;
+  uint32_t FromStart = Bits - Start;
+  Exponent += static_cast<int32_t>(FromStart) >> 23;
+  return floatFromBits((FromStart & 0x007FFFFFu) + Start);
+}
+
+/// Base-2 logarithm to about 2^-33 of itself, of \p Bits as above. When the
+/// result is 0 or its exponent part is not, the error is of that size against
+/// the whole.
+FloatPair logarithm2(uint32_t Bits);
+
+} // namespace tp
+
+#endif // TP_RUNTIME_LIB_MATH_FLOATPARTS_H
