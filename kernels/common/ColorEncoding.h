@@ -21,8 +21,8 @@ namespace tp {
 inline float encodeSrgb(float Linear) {
   if (Linear <= 0.0031308f)
     return 12.92f * Linear;
-  const float Root = squareRoot(Linear);
-  const float FourthRoot = squareRoot(Root);
+  const float Root = sqrt(Linear);
+  const float FourthRoot = sqrt(Root);
   return 0.8337566f * Root + 0.2981040f * FourthRoot - 0.0553170f * Linear -
          0.0769025f;
 }

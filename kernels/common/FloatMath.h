@@ -1,4 +1,4 @@
-//===- FloatMath.h - Float functions of the kernels -------------*- C++ -*-===//
+//===- FloatMath.h - Minimum and maximum of numbers -------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -7,15 +7,21 @@
 #ifndef TP_KERNELS_COMMON_FLOATMATH_H
 #define TP_KERNELS_COMMON_FLOATMATH_H
 
-#include <math.h>
+#include "tp/math.h"
 
 namespace tp {
 
-inline float minimum(float A, float B) { return A < B ? A : B; }
-inline float maximum(float A, float B) { return A > B ? A : B; }
-inline float squareRoot(float X) { return __builtin_sqrtf(X); }
-inline float sine(float X) { return sinf(X); }
-inline float cosine(float X) { return cosf(X); }
+// tp::fmin and fmax without their promises about NaN and the sign of zero, of
+// which the host would have to keep track in code. Here neither operand is NaN,
+// and which zero comes out of two must not matter to the caller.
+
+#ifdef __tp__
+inline float minimum(float A, float B) { return fmin(A, B); }
+inline float maximum(float A, float B) { return fmax(A, B); }
+#else
+constexpr float minimum(float A, float B) { return A < B ? A : B; }
+constexpr float maximum(float A, float B) { return A > B ? A : B; }
+#endif
 
 } // namespace tp
 

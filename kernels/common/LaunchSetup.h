@@ -13,10 +13,10 @@
 #ifndef TP_KERNELS_COMMON_LAUNCHSETUP_H
 #define TP_KERNELS_COMMON_LAUNCHSETUP_H
 
-#include "runtime/include/tp/launch.h"
 #include "scenes/ErrorOr.h"
 #include "scenes/image/Image.h"
 #include "scenes/loader/Scene.h"
+#include "tp/launch.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -16,9 +16,9 @@ namespace tp {
 /// A point on the unit sphere, uniform by area.
 inline Vector3 sampleSphere(uint32_t WordA, uint32_t WordB) {
   const float Height = 1.0f - 2.0f * unitFloat(WordA);
-  const float Radius = squareRoot(maximum(1.0f - Height * Height, 0.0f));
-  const float Angle = unitFloat(WordB) * 6.28318531f;
-  return {Radius * cosine(Angle), Radius * sine(Angle), Height};
+  const float Radius = sqrt(maximum(1.0f - Height * Height, 0.0f));
+  const float Angle = unitFloat(WordB) * (2.0f * kPi);
+  return {Radius * fastCos(Angle), Radius * fastSin(Angle), Height};
 }
 
 /// A direction in the hemisphere about \p UnitNormal with a density in

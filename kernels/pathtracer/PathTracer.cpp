@@ -124,7 +124,7 @@ Vector3 PathTracer::sampleLights(const Vertex &At, RandomWords Random) {
 
   const Ray Shadow{At.Origin, Point - At.Origin};
   const float CosineHere = dot(At.UnitNormal, Shadow.Direction);
-  const float CosineThere = __builtin_fabsf(dot(LightNormal, Shadow.Direction));
+  const float CosineThere = fabs(dot(LightNormal, Shadow.Direction));
   const float DistanceSquared = dot(Shadow.Direction, Shadow.Direction);
   // Below the horizon, or the light seen from its edge. Both cosines still have
   // the distance as a factor.
