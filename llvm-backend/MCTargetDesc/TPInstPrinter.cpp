@@ -19,6 +19,13 @@ using namespace llvm;
 #define PRINT_ALIAS_INSTR
 #include "TPGenAsmWriter.inc"
 
+bool TPInstPrinter::applyTargetSpecificCLOption(StringRef Option) {
+  if (Option != "no-aliases")
+    return false;
+  PrintAliases = false;
+  return true;
+}
+
 void TPInstPrinter::printInst(const MCInst *MI, uint64_t Address,
                               StringRef Annot, const MCSubtargetInfo &STI,
                               raw_ostream &O) {

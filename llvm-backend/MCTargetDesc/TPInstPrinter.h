@@ -15,6 +15,8 @@ class TPInstPrinter : public MCInstPrinter {
 public:
   using MCInstPrinter::MCInstPrinter;
 
+  /// Knows "no-aliases": instructions under their own names.
+  bool applyTargetSpecificCLOption(StringRef Option) override;
   void printInst(const MCInst *MI, uint64_t Address, StringRef Annot,
                  const MCSubtargetInfo &STI, raw_ostream &O) override;
   void printRegName(raw_ostream &O, MCRegister Reg) override;
