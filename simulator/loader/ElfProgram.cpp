@@ -6,6 +6,7 @@
 
 #include "simulator/loader/ElfProgram.h"
 
+#include "llvm-backend/MCTargetDesc/TPELF.h"
 #include "simulator/core/Memory.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -20,9 +21,6 @@ using object::ELF32LE;
 using object::ELF32LEObjectFile;
 
 namespace tp {
-
-/// e_machine of TP files.
-static constexpr uint16_t TpMachine = 0x5450;
 
 static std::string hex(uint64_t Value) {
   return "0x" + utohexstr(Value, /*LowerCase=*/true, /*Width=*/8);
@@ -65,10 +63,10 @@ llvm::Error ElfProgram::readHeader() {
                  "big-endian ELF file); compile it with tpcc");
   ELF32LE::Ehdr Header;
   memcpy(&Header, Bytes.data(), sizeof(Header));
-  if (Header.e_machine != TpMachine)
+  if (Header.e_machine != TPELF::EM_TP)
     return error("is for another machine (e_machine " +
                  Twine(unsigned(Header.e_machine)) + "), not for the TP (" +
-                 Twine(TpMachine) + "); compile it with tpcc");
+                 Twine(TPELF::EM_TP) + "); compile it with tpcc");
   if (Header.e_type == ELF::ET_REL)
     return error("is an object file that is not linked; link it with tpcc: "
                  "tpcc " +

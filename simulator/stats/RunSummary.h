@@ -35,7 +35,7 @@ struct ImageSettings {
 struct RunSummary {
   const ChipConfig &Chip;
   const Statistics &Stats;
-  /// `finished`, `trapped`, `cycle_limit`, `interrupted` or `deadlock`.
+  /// `finished`, `trapped`, `cycle_limit` or `interrupted`.
   std::string Outcome;
   int ExitStatus = 0;
   /// Rays by thread; empty if the program does not count any.

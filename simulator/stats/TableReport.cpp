@@ -52,7 +52,7 @@ void writeHead(const RunSummary &Run, raw_ostream &OS) {
   OS << formatv("{0}: {1} TMs x {2} TPs at {3} GHz, {4:F1} mm2\n", Chip.Name,
                 Chip.TmCount, Chip.TpsPerTm, format("%g", Chip.ClockGHz),
                 totalAreaMm2(Chip));
-  OS << formatv("run {0}, status {1}\n\n", Run.Outcome, Run.ExitStatus);
+  OS << formatv("run ended: {0}, status {1}\n\n", Run.Outcome, Run.ExitStatus);
   OS << formatv("{0,-16}{1,18}   {2:F3} ms at the chip's clock\n", "cycles",
                 grouped(Run.Stats.Cycles), Run.seconds() * 1e3);
   OS << formatv("{0,-16}{1,18}   {2:F2} per cycle and TM\n", "instructions",
@@ -72,8 +72,8 @@ void writeLosses(const RunSummary &Run, raw_ostream &OS) {
   double Whole = std::max<uint64_t>(Run.threadCycles(), 1);
   auto Row = [&](const char *Name, uint64_t Cycles, StringRef Details) {
     if (Cycles != 0)
-      OS << formatv("{0,-16}{1,9}   {2}\n", Name, percent(Cycles / Whole),
-                    Details);
+      OS << formatv("{0,-16}{1,9}{2}{3}\n", Name, percent(Cycles / Whole),
+                    Details.empty() ? "" : "   ", Details);
   };
   std::vector<OpcodeCount> Stalls = largestFirst(Stats.DataStall);
   OS << "thread-cycles       share   most by\n";

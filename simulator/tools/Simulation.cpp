@@ -17,6 +17,7 @@
 #include "simulator/tools/ProgressLine.h"
 #include "simulator/tools/TrapMessage.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Process.h"
 #include "llvm/Support/WithColor.h"
@@ -28,7 +29,9 @@ using namespace llvm;
 namespace tp {
 
 void reportError(llvm::Error E) {
-  WithColor::error(errs(), "tpsim") << toString(std::move(E)) << '\n';
+  std::string Lines = toString(std::move(E));
+  for (StringRef Line : split(Lines, '\n'))
+    WithColor::error(errs(), "tpsim") << Line << '\n';
 }
 
 /// Decodes the executable segment.
@@ -131,11 +134,16 @@ static OutputFunction passOn(ProgressLine &Line) {
 /// Why the run did not end as the program wanted, to standard error.
 static void explainEnd(const RunResult &Result, const Options &Request,
                        const ChipConfig &Chip, const ElfProgram &Elf,
-                       const Program &Text) {
+                       const Engine &Machine) {
   if (Result.End == RunResult::Trapped) {
     Symbolizer Symbols(Elf);
     WithColor::error(errs(), "tpsim")
-        << trapMessage(*Result.TrapInfo, Chip, Text, Symbols) << '\n';
+        << trapMessage(*Result.TrapInfo, Chip, Elf, Symbols,
+                       [&](unsigned Register) {
+                         return Machine.registerOf(Result.TrapInfo->Thread,
+                                                   Register);
+                       })
+        << '\n';
   } else if (Result.End == RunResult::CycleLimit) {
     WithColor::error(errs(), "tpsim")
         << "stopped after " << Request.MaxCycles << " cycles (--max-cycles)\n";
@@ -227,7 +235,7 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   llvm::Error Failures = writeResults(Run, Request, *Block, Launch);
   if (!Request.Quiet)
     writeTable(Run, Speed, errs());
-  explainEnd(Result, Request, Chip, *Elf, Text);
+  explainEnd(Result, Request, Chip, *Elf, Machine);
   if (Failures)
     return Failures;
   return Run.ExitStatus;

@@ -17,7 +17,8 @@ namespace tp {
 /// Exit status after Ctrl-C: 128 + SIGINT, as shells have it.
 inline constexpr int InterruptedStatus = 130;
 
-/// Prints `tpsim: error: ` and the message to standard error.
+/// Prints each line of the message, with `tpsim: error: ` before it, to
+/// standard error.
 void reportError(llvm::Error E);
 
 /// Runs the program on \p Chip, passes its output on, writes image, statistics

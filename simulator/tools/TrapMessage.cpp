@@ -6,7 +6,11 @@
 
 #include "simulator/tools/TrapMessage.h"
 
+#include "simulator/isa/Instructions.h"
+
+#include "llvm/Support/Endian.h"
 #include "llvm/Support/Format.h"
+#include "llvm/Support/MathExtras.h"
 #include "llvm/Support/raw_ostream.h"
 
 using namespace llvm;
@@ -24,8 +28,46 @@ static bool isBelowLocalStore(uint32_t Address, const ChipConfig &Chip) {
          Address >= Chip.MemoryBytes;
 }
 
+/// The instruction at \p Pc with its operands by name and the values that it
+/// reads; empty if there is none.
+static std::string instructionText(uint32_t Pc, const ElfProgram &Program,
+                                   const RegisterFunction &Registers) {
+  const Segment &Text = Program.text();
+  if (Pc < Text.Address ||
+      uint64_t(Pc) + 4 > Text.Address + Text.Contents.size())
+    return "";
+  uint32_t Word = support::endian::read32le(&Text.Contents[Pc - Text.Address]);
+  std::string Line;
+  raw_string_ostream OS(Line);
+  Opcode Op = decode(Word).Op;
+  if (Op == IllegalOpcode) {
+    OS << "word " << address(Word);
+    return Line;
+  }
+  OS << mnemonic(Op);
+  StringRef Separator = " ";
+  for (const OperandInfo &Operand : operandsOf(Op)) {
+    uint32_t Field =
+        Word >> Operand.Shift & maskTrailingOnes<uint32_t>(Operand.Width);
+    OS << Separator << Operand.Name << '=';
+    Separator = ", ";
+    if (Operand.Kind == OperandKind::Immediate) {
+      int64_t Value = Operand.IsSigned ? SignExtend64(Field, Operand.Width)
+                                       : int64_t(Field);
+      OS << Value * Operand.Scale;
+      continue;
+    }
+    bool IsFloat = Operand.Kind == OperandKind::FloatRegister;
+    OS << (IsFloat ? 'f' : 'r') << Field;
+    if (!Operand.IsDestination)
+      OS << " (" << address(Registers(Field + (IsFloat ? 32 : 0))) << ')';
+  }
+  return Line;
+}
+
 std::string trapMessage(const Trap &T, const ChipConfig &Chip,
-                        const Program &Text, Symbolizer &Symbols) {
+                        const ElfProgram &Program, Symbolizer &Symbols,
+                        const RegisterFunction &Registers) {
   std::string Message;
   raw_string_ostream OS(Message);
   OS << "thread " << T.Thread << " (TM " << T.Thread / Chip.TpsPerTm << ", TP "
@@ -41,12 +83,9 @@ std::string trapMessage(const Trap &T, const ChipConfig &Chip,
   for (size_t I = 0; I != Frames.size(); ++I)
     OS << (I ? "\n    inlined " : " ") << Symbolizer::describe(Frames[I]);
 
-  if (T.Pc >= Text.textBegin() && T.Pc < Text.textEnd()) {
-    const Instruction &Trapped =
-        Text.instructions()[(T.Pc - Text.textBegin()) / 4];
-    if (Trapped.Op != IllegalOpcode)
-      OS << "\n  instruction " << mnemonic(Trapped.Op);
-  }
+  if (std::string Text = instructionText(T.Pc, Program, Registers);
+      !Text.empty())
+    OS << "\n  instruction: " << Text;
   return Message;
 }
 

@@ -8,19 +8,24 @@
 #define TP_SIMULATOR_TOOLS_TRAPMESSAGE_H
 
 #include "simulator/chip/ChipConfig.h"
-#include "simulator/core/Program.h"
 #include "simulator/core/Trap.h"
 #include "simulator/loader/Symbolizer.h"
 
+#include <cstdint>
+#include <functional>
 #include <string>
 
 namespace tp {
 
-/// Who trapped, when, why, and where in the source with the calls that were
-/// inlined there. Several lines, without `tpsim: error: ` and the last line
-/// end.
+/// Reads a register of the thread that trapped: 0..31 integer, 32..63 float.
+using RegisterFunction = std::function<uint32_t(unsigned Register)>;
+
+/// Who trapped, when, why, where in the source with the calls that were inlined
+/// there, and the instruction with its operands. Several lines, without
+/// `tpsim: error: ` and the last line end.
 std::string trapMessage(const Trap &T, const ChipConfig &Chip,
-                        const Program &Text, Symbolizer &Symbols);
+                        const ElfProgram &Program, Symbolizer &Symbols,
+                        const RegisterFunction &Registers);
 
 } // namespace tp
 

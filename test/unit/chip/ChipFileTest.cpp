@@ -112,8 +112,8 @@ TEST(ChipFile, NamesLineAndCureOfUnknownKeys) {
 }
 
 TEST(ChipFile, ReportsAllErrorsByLine) {
-  std::string Error = errorWith("clock_ghz: 1.5\ntm_count: 2",
-                                "clock_ghz: fast\ntm_count: 0");
+  std::string Error =
+      errorWith("clock_ghz: 1.5\ntm_count: 2", "clock_ghz: fast\ntm_count: 0");
   size_t First = Error.find("c.yaml:2: 'clock_ghz' is 'fast'");
   size_t Second = Error.find("c.yaml:3: 'tm_count' is '0'");
   EXPECT_NE(First, std::string::npos) << Error;
@@ -162,9 +162,9 @@ TEST(ChipFile, RefusesAUnitThatIsMissing) {
 }
 
 TEST(ChipFile, WritesWhatItReads) {
-  std::string Text = replaced(goodChip(), "clock_ghz",
-                              "flush_to_zero: true\nclock_ghz") +
-                     "latency_cycles:\n  FpMul: 7\n";
+  std::string Text =
+      replaced(goodChip(), "clock_ghz", "flush_to_zero: true\nclock_ghz") +
+      "latency_cycles:\n  FpMul: 7\n";
   llvm::Expected<ChipConfig> Chip = parseChip(Text, "c.yaml", "c");
   ASSERT_TRUE(bool(Chip)) << llvm::toString(Chip.takeError());
   std::string Written;

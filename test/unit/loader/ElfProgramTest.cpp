@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/loader/ElfProgram.h"
+#include "llvm-backend/MCTargetDesc/TPELF.h"
 
 #include "llvm/ADT/SmallString.h"
 #include "llvm/BinaryFormat/ELF.h"
@@ -33,17 +34,19 @@ struct TestElf {
     Header.e_ident[EI_DATA] = ELFDATA2LSB;
     Header.e_ident[EI_VERSION] = EV_CURRENT;
     Header.e_type = ET_EXEC;
-    Header.e_machine = 0x5450;
+    Header.e_machine = llvm::TPELF::EM_TP;
     Header.e_version = EV_CURRENT;
     Header.e_entry = 0x10004;
     Header.e_phoff = offsetof(TestElf, Segments);
     Header.e_ehsize = sizeof(Elf32_Ehdr);
     Header.e_phentsize = sizeof(Elf32_Phdr);
     Header.e_phnum = 2;
-    Segments[0] = {PT_LOAD, offsetof(TestElf, Code), 0x10000, 0x10000, 16, 16,
-                   PF_R | PF_X, 4};
-    Segments[1] = {PT_LOAD, offsetof(TestElf, Data), 0x20000, 0x20000, 8, 32,
-                   PF_R | PF_W, 4};
+    Segments[0] = {
+        PT_LOAD, offsetof(TestElf, Code), 0x10000, 0x10000, 16, 16, PF_R | PF_X,
+        4};
+    Segments[1] = {
+        PT_LOAD, offsetof(TestElf, Data), 0x20000, 0x20000, 8, 32, PF_R | PF_W,
+        4};
   }
 };
 static_assert(sizeof(TestElf) == 52 + 2 * 32 + 24);
@@ -136,8 +139,8 @@ TEST_F(ElfProgramTest, RefusesBadSegments) {
 }
 
 TEST_F(ElfProgramTest, RefusesAnEntryOutsideTheCode) {
-  for (uint32_t Entry : {0u, 0xfffcu, 0x10002u, 0x10010u, 0x20000u,
-                         0xfffffffcu}) {
+  for (uint32_t Entry :
+       {0u, 0xfffcu, 0x10002u, 0x10010u, 0x20000u, 0xfffffffcu}) {
     Elf.Header.e_entry = Entry;
     EXPECT_THAT(error(), HasSubstr("is not an address of the code")) << Entry;
   }

@@ -52,9 +52,9 @@ TEST(JsonReport, SpellsTheCountsOut) {
   EXPECT_EQ(Opcodes->size(), 2u);
   EXPECT_EQ(Opcodes->getObject("lw")->getInteger("data_stall_cycles"), 20);
   EXPECT_EQ(Opcodes->getObject("add")->getInteger("unit_conflict_cycles"), 10);
-  EXPECT_EQ(Root.getObject("units")->getObject("INTADD")->getNumber(
-                "utilisation"),
-            0.5);
+  EXPECT_EQ(
+      Root.getObject("units")->getObject("INTADD")->getNumber("utilisation"),
+      0.5);
   EXPECT_EQ(Root.getObject("markers")->getInteger("2"), 7);
   EXPECT_EQ(Root.getObject("rays")->getInteger("total"), 15);
   EXPECT_EQ(Root.getObject("image")->getInteger("samples_per_pixel"), 4);
