@@ -4,9 +4,8 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "kernels/common/LaunchSetup.h"
+#include "kernels/native/HostMemory.h"
 #include "kernels/native/RunnerOptions.h"
-#include "runtime/host/HostRuntime.h"
 #include "scenes/image/PngWriter.h"
 #include "scenes/loader/SceneLoader.h"
 
@@ -20,23 +19,6 @@
 int tpKernelMain();
 
 using namespace tp;
-
-namespace {
-
-class HostMemory : public LaunchMemory {
-public:
-  DeviceAddress allocate(size_t Bytes, uint32_t Alignment) override {
-    return Bytes <= UINT32_MAX ? host::allocate(uint32_t(Bytes), Alignment) : 0;
-  }
-  void write(DeviceAddress Address, const void *Source, size_t Bytes) override {
-    std::memcpy(host::hostPointer(Address), Source, Bytes);
-  }
-  void read(DeviceAddress Address, void *Target, size_t Bytes) const override {
-    std::memcpy(Target, host::hostPointer(Address), Bytes);
-  }
-};
-
-} // namespace
 
 static const char *baseName(const char *Path) {
   const char *Slash = std::strrchr(Path, '/');
