@@ -56,32 +56,32 @@ float fmax(float A, float B);
 
 #endif
 
-/// Sine; 0.52 ulp, also for the largest arguments.
+/// Sine; 0.80 ulp, also for the largest arguments.
 float sin(float X);
-/// Cosine; 0.55 ulp, also for the largest arguments.
+/// Cosine; 0.80 ulp, also for the largest arguments.
 float cos(float X);
-/// Tangent; 0.60 ulp, also for the largest arguments.
+/// Tangent; 1.60 ulp, also for the largest arguments.
 float tan(float X);
-/// Arc sine; 0.80 ulp.
+/// Arc sine; 0.65 ulp.
 float asin(float X);
-/// Arc cosine; 0.80 ulp.
+/// Arc cosine; 0.65 ulp.
 float acos(float X);
-/// Arc tangent; 0.80 ulp.
+/// Arc tangent; 0.65 ulp.
 float atan(float X);
-/// Angle of the point (\p X, \p Y) from the x axis, in (-pi, pi]; 1.50 ulp.
+/// Angle of the point (\p X, \p Y) from the x axis, in (-pi, pi]; 0.70 ulp.
 float atan2(float Y, float X);
 
-/// e to the \p X; 0.60 ulp, 1 ulp where the result is subnormal.
+/// e to the \p X; 0.80 ulp.
 float exp(float X);
-/// 2 to the \p X; 0.60 ulp, 1 ulp where the result is subnormal.
+/// 2 to the \p X; 0.65 ulp, 0.80 ulp where the result is subnormal.
 float exp2(float X);
-/// Natural logarithm; 0.80 ulp.
+/// Natural logarithm; 0.65 ulp.
 float log(float X);
 /// Logarithm to the base 2; 0.51 ulp.
 float log2(float X);
 /// Logarithm to the base 10; 0.51 ulp.
 float log10(float X);
-/// \p X to the \p Y; 0.70 ulp, 1 ulp where the result is subnormal.
+/// \p X to the \p Y; 0.75 ulp, 0.80 ulp where the result is subnormal.
 float pow(float X, float Y);
 
 /// The greatest integer not above \p X. Exact.

@@ -32,6 +32,8 @@ uint64_t change(volatile uint64_t *Object, Operation NewValue) {
   return Old;
 }
 
+} // namespace
+
 // Clang knows the generic functions by name and does not let them be defined.
 extern "C" {
 void genericLoad(size_t Bytes, const void *Object, void *Result,
@@ -67,8 +69,6 @@ uint64_t fetchXor8(volatile uint64_t *Object, uint64_t Value,
 uint64_t fetchNand8(volatile uint64_t *Object, uint64_t Value,
                     int Order) __asm__("__atomic_fetch_nand_8");
 }
-
-} // namespace
 
 void genericLoad(size_t Bytes, const void *Object, void *Result, int) {
   tp::LockGuard Guard(lockOf(Object));

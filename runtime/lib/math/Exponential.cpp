@@ -183,7 +183,8 @@ float pow(float X, float Y) {
       Result = 0.0f;
     } else {
       FloatPair Exponent = multiply(L, Y);
-      if (Exponent.High >= 128.0f)
+      if (Exponent.High > 128.0f ||
+          (Exponent.High == 128.0f && Exponent.Low >= 0.0f))
         Result = floatInfinity();
       else
         Result = exponential2(Exponent);

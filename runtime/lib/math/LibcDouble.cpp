@@ -1,0 +1,182 @@
+//===- LibcDouble.cpp - The C library's exact functions of doubles --------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "runtime/lib/builtins/DoubleFormat.h"
+#include "runtime/lib/builtins/Libcall.h"
+
+using namespace tp::soft;
+
+namespace {
+
+enum class Direction { Zero, Down, Up, NearestEven, NearestAway };
+
+/// The whole number beside \p X in \p To's direction.
+double roundWhole(double X, Direction To) {
+  uint64_t Bits = bits(X);
+  uint64_t Magnitude = Bits & ~kSign;
+  uint64_t Sign = Bits & kSign;
+  if (Magnitude > kInfinity)
+    return fromBits(kNaN);
+  int Exponent = static_cast<int>(Magnitude >> 52) - kBias;
+  if (Exponent >= 52 || Magnitude == 0)
+    return X;
+  // One is the weight of the last whole bit; Lost is what lies below it.
+  uint64_t One = Exponent < 0 ? 0 : uint64_t(1) << (52 - Exponent);
+  uint64_t Whole = Exponent < 0 ? 0 : Magnitude & ~(One - 1);
+  uint64_t Lost = Exponent < 0 ? Magnitude : Magnitude & (One - 1);
+  if (Lost == 0)
+    return X;
+  uint64_t Half = Exponent < 0 ? uint64_t(kBias - 1) << 52 : One >> 1;
+  bool Odd = Exponent == 0 || (Exponent > 0 && (Whole & One) != 0);
+  bool Away = false;
+  switch (To) {
+  case Direction::Zero:
+    break;
+  case Direction::Down:
+    Away = Sign != 0;
+    break;
+  case Direction::Up:
+    Away = Sign == 0;
+    break;
+  case Direction::NearestEven:
+    Away = Lost > Half || (Lost == Half && Odd);
+    break;
+  case Direction::NearestAway:
+    Away = Lost >= Half;
+    break;
+  }
+  if (Exponent < 0)
+    return fromBits(Sign | (Away ? uint64_t(kBias) << 52 : 0));
+  return fromBits(Sign | (Whole + (Away ? One : 0)));
+}
+
+double scaleBy(double X, int Exponent) {
+  uint64_t Magnitude = bits(X) & ~kSign;
+  if (Magnitude > kInfinity)
+    return fromBits(kNaN);
+  if (Magnitude == 0 || Magnitude == kInfinity)
+    return X;
+  Unpacked U = unpack(Magnitude);
+  // Beyond these every number overflows or vanishes.
+  if (Exponent > 5000)
+    Exponent = 5000;
+  if (Exponent < -5000)
+    Exponent = -5000;
+  return fromBits(
+      pack(bits(X) & kSign, U.Exponent + Exponent, U.Significand));
+}
+
+double remainder(double X, double Y) {
+  uint64_t Dividend = bits(X) & ~kSign;
+  uint64_t Divisor = bits(Y) & ~kSign;
+  uint64_t Sign = bits(X) & kSign;
+  if (Dividend >= kInfinity || Divisor > kInfinity || Divisor == 0)
+    return fromBits(kNaN);
+  if (Dividend < Divisor)
+    return X;
+  Unpacked UX = unpack(Dividend);
+  Unpacked UY = unpack(Divisor);
+  uint64_t Rest = UX.Significand >> 11;
+  uint64_t Unit = UY.Significand >> 11;
+  int Shift = UX.Exponent - UY.Exponent;
+  for (;;) {
+    if (Rest >= Unit)
+      Rest -= Unit;
+    if (Shift == 0 || Rest == 0)
+      break;
+    Rest <<= 1;
+    --Shift;
+  }
+  if (Rest == 0)
+    return fromBits(Sign);
+  int Lift = tp::wide::leadingZeros(Rest);
+  return fromBits(pack(Sign, UY.Exponent + 11 - Lift, Rest << Lift));
+}
+
+/// The smaller of the two in the order -0 < +0, NaN losing.
+double smaller(double A, double B) {
+  if ((bits(A) & ~kSign) > kInfinity)
+    return (bits(B) & ~kSign) > kInfinity ? fromBits(kNaN) : B;
+  if ((bits(B) & ~kSign) > kInfinity)
+    return A;
+  bool NegativeA = (bits(A) & kSign) != 0;
+  bool NegativeB = (bits(B) & kSign) != 0;
+  if (NegativeA != NegativeB)
+    return NegativeA ? A : B;
+  return (bits(A) < bits(B)) != NegativeA ? A : B;
+}
+
+} // namespace
+
+extern "C" {
+
+double TP_LIBCALL(ceil)(double X) { return roundWhole(X, Direction::Up); }
+double TP_LIBCALL(floor)(double X) { return roundWhole(X, Direction::Down); }
+double TP_LIBCALL(trunc)(double X) { return roundWhole(X, Direction::Zero); }
+double TP_LIBCALL(round)(double X) {
+  return roundWhole(X, Direction::NearestAway);
+}
+double TP_LIBCALL(rint)(double X) {
+  return roundWhole(X, Direction::NearestEven);
+}
+double TP_LIBCALL(nearbyint)(double X) {
+  return roundWhole(X, Direction::NearestEven);
+}
+double TP_LIBCALL(roundeven)(double X) {
+  return roundWhole(X, Direction::NearestEven);
+}
+long TP_LIBCALL(lrint)(double X) {
+  return static_cast<long>(roundWhole(X, Direction::NearestEven));
+}
+long TP_LIBCALL(lround)(double X) {
+  return static_cast<long>(roundWhole(X, Direction::NearestAway));
+}
+
+double TP_LIBCALL(fabs)(double X) { return fromBits(bits(X) & ~kSign); }
+double TP_LIBCALL(copysign)(double Magnitude, double Sign) {
+  return fromBits((bits(Magnitude) & ~kSign) | (bits(Sign) & kSign));
+}
+double TP_LIBCALL(fdim)(double X, double Y) { return X <= Y ? 0.0 : X - Y; }
+double TP_LIBCALL(fmin)(double X, double Y) { return smaller(X, Y); }
+double TP_LIBCALL(fmax)(double X, double Y) {
+  double Negated =
+      smaller(fromBits(bits(X) ^ kSign), fromBits(bits(Y) ^ kSign));
+  if ((bits(Negated) & ~kSign) > kInfinity)
+    return Negated;
+  return fromBits(bits(Negated) ^ kSign);
+}
+double TP_LIBCALL(fmod)(double X, double Y) { return remainder(X, Y); }
+double TP_LIBCALL(sqrt)(double X) { return TP_LIBCALL(__tp_sqrtdf)(X); }
+double TP_LIBCALL(fma)(double X, double Y, double Z) {
+  return TP_LIBCALL(__tp_fmadf)(X, Y, Z);
+}
+double TP_LIBCALL(ldexp)(double X, int Exponent) {
+  return scaleBy(X, Exponent);
+}
+double TP_LIBCALL(scalbn)(double X, int Exponent) {
+  return scaleBy(X, Exponent);
+}
+
+double TP_LIBCALL(frexp)(double X, int *Exponent) {
+  *Exponent = 0;
+  uint64_t Magnitude = bits(X) & ~kSign;
+  if (Magnitude == 0 || Magnitude >= kInfinity)
+    return X;
+  Unpacked U = unpack(Magnitude);
+  *Exponent = U.Exponent - (kBias - 1);
+  return fromBits(pack(bits(X) & kSign, kBias - 1, U.Significand));
+}
+
+double TP_LIBCALL(modf)(double X, double *Whole) {
+  *Whole = roundWhole(X, Direction::Zero);
+  uint64_t Sign = bits(X) & kSign;
+  uint64_t Magnitude = bits(X) & ~kSign;
+  if (Magnitude >= kInfinity)
+    return Magnitude > kInfinity ? fromBits(kNaN) : fromBits(Sign);
+  return fromBits((bits(X - *Whole) & ~kSign) | Sign);
+}
+
+} // extern "C"
