@@ -9,6 +9,7 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "runtime/lib/crt/FunctionArray.h"
 #include "runtime/lib/crt/SpinLock.h"
 #include "runtime/lib/crt/ThreadExit.h"
 #include "tp/thread.h"
@@ -17,9 +18,8 @@
 #include <stdlib.h>
 
 extern "C" {
-using FiniFunction = void (*)();
-extern const FiniFunction __fini_array_start[];
-extern const FiniFunction __fini_array_end[];
+extern const tp::SimpleFunction __fini_array_start[];
+extern const tp::SimpleFunction __fini_array_end[];
 }
 
 namespace tp {
@@ -61,9 +61,9 @@ void runProgramExits() {
     FirstProgramExit = Node->Next;
     Node->Function(Node->Argument);
   }
-  for (const FiniFunction *Function = __fini_array_end;
-       Function != __fini_array_start;)
-    (*--Function)();
+  for (uintptr_t Count = functionCount(__fini_array_start, __fini_array_end);
+       Count != 0; --Count)
+    __fini_array_start[Count - 1]();
 }
 
 } // namespace
@@ -107,12 +107,12 @@ int __cxa_thread_atexit(void (*Function)(void *), void *Argument, void *) {
   return 0;
 }
 
-[[noreturn]] void _Exit(int Status) {
+void _Exit(int Status) {
   tp::sync();
   __builtin_tp_halt(Status);
 }
 
-[[noreturn]] void exit(int Status) {
+void exit(int Status) {
   tp::runThreadExits();
   uint32_t Ended =
       tp::atomicAdd(&tp::NumEndedThreads, 1u, __ATOMIC_ACQ_REL) + 1;
@@ -123,7 +123,7 @@ int __cxa_thread_atexit(void (*Function)(void *), void *Argument, void *) {
   _Exit(Status);
 }
 
-[[noreturn]] void abort(void) {
+void abort(void) {
   fflush(nullptr);
   __builtin_tp_trap_break(1);
 }

@@ -10,11 +10,11 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "runtime/lib/crt/FunctionArray.h"
 #include "tp/barrier.h"
 #include "tp/launch.h"
 #include "tp/memory.h"
 #include "tp/thread.h"
-#include <stddef.h>
 
 extern "C" {
 
@@ -23,9 +23,8 @@ extern "C" {
 extern uint32_t __tp_tls_begin[];
 extern const uint32_t __tp_tdata_image[];
 extern const char __tp_tdata_size[];
-using InitFunction = void (*)();
-extern const InitFunction __init_array_start[];
-extern const InitFunction __init_array_end[];
+extern const tp::SimpleFunction __init_array_start[];
+extern const tp::SimpleFunction __init_array_end[];
 
 // `main` may not be called by its name.
 int tpUserMain(int ArgumentCount, char **Arguments) __asm__("main");
@@ -39,11 +38,12 @@ __attribute__((used)) tp::LaunchBlock __tp_launch = {};
   for (uint32_t Word = 0; Word < (Bytes + 3) / 4; ++Word)
     __tp_tls_begin[Word] = __tp_tdata_image[Word];
 
-  if (__init_array_start != __init_array_end) {
+  uintptr_t Constructors =
+      tp::functionCount(__init_array_start, __init_array_end);
+  if (Constructors != 0) {
     if (tp::threadId() == 0)
-      for (const InitFunction *Function = __init_array_start;
-           Function != __init_array_end; ++Function)
-        (*Function)();
+      for (uintptr_t I = 0; I != Constructors; ++I)
+        __init_array_start[I]();
     tp::barrier();
   }
 
