@@ -295,6 +295,13 @@ WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
   RunResult Result;
   auto LastReport = Clock::now();
   for (unsigned Windows = 0;; ++Windows) {
+    EndCycle = WindowEnd;
+    if (FirstTrap) {
+      Result.End = RunResult::Trapped;
+      Result.ExitStatus = 1;
+      Result.TrapInfo = FirstTrap->Info;
+      break;
+    }
     if (Halted == Threads.size()) {
       EndCycle = 0;
       for (const Thread &T : Threads)
@@ -303,13 +310,6 @@ WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
       for (const Thread &T : Threads)
         if (Result.ExitStatus == 0)
           Result.ExitStatus = T.Status;
-      break;
-    }
-    EndCycle = WindowEnd;
-    if (FirstTrap) {
-      Result.End = RunResult::Trapped;
-      Result.ExitStatus = 1;
-      Result.TrapInfo = FirstTrap->Info;
       break;
     }
     if (WindowEnd >= MaxCycles) {

@@ -122,7 +122,6 @@ TEST(Issue, RegisterZeroIsNeverWrittenNorWaitedFor) {
   // lui 0, lw 1, addi 2, halt 3.
   Assembly A;
   A("lui", 20, DataBegin >> 16)("lw", 0, 20, 0)("addi", 5, 0, 1);
-  // The operands of lw are value, base, offset in the .td's order.
   Simulation S(quietChip(1, 1), halted(A));
   S.setWord(DataBegin, 99);
   EXPECT_EQ(S.cycles(), 4u);
