@@ -95,7 +95,7 @@ private:
                      const Split &Chosen);
   uint32_t chooseMiddle(const Range &Primitives, uint32_t DepthLeft);
   float leafCost(uint32_t Count) const {
-    return Costs.Leaf + Costs.Triangle * static_cast<float>(Count);
+    return Costs.Triangle * static_cast<float>(Count);
   }
 
   BvhStorage &Storage;

@@ -32,6 +32,13 @@ struct Hit {
   float Distance;
   /// Position in the scene's triangle array, or kNoTriangle.
   uint32_t Triangle;
+
+  /// Replaces the hit by one that is nearer.
+  void take(float OtherDistance, uint32_t OtherTriangle) {
+    const bool IsNearer = OtherDistance < Distance;
+    Distance = IsNearer ? OtherDistance : Distance;
+    Triangle = IsNearer ? OtherTriangle : Triangle;
+  }
 };
 
 /// What the box tests of one ray share.
@@ -54,22 +61,22 @@ public:
   };
 
   Distances test(const char *Node, float MaxDistance) const {
-    const float *NearXs = bounds(Node + NearX, 0);
-    const float *NearYs = bounds(Node + NearY, 1);
-    const float *NearZs = bounds(Node + NearZ, 2);
-    const float *FarXs = bounds(Node + FarX, 0);
-    const float *FarYs = bounds(Node + FarY, 1);
-    const float *FarZs = bounds(Node + FarZ, 2);
+    const SidePair NearXs = load(Node + NearX, 0);
+    const SidePair FarXs = load(Node + FarX, 0);
+    const SidePair NearYs = load(Node + NearY, 1);
+    const SidePair FarYs = load(Node + FarY, 1);
+    const SidePair NearZs = load(Node + NearZ, 2);
+    const SidePair FarZs = load(Node + FarZ, 2);
     Distances Result;
     for (unsigned Child = 0; Child != 2; ++Child) {
       Result.Enter[Child] =
-          maximum(maximum((NearXs[Child] - Origin.X) * Inverse.X,
-                          (NearYs[Child] - Origin.Y) * Inverse.Y),
-                  maximum((NearZs[Child] - Origin.Z) * Inverse.Z, 0.0f));
-      Result.Leave[Child] =
-          minimum(minimum((FarXs[Child] - Origin.X) * Inverse.X,
-                          (FarYs[Child] - Origin.Y) * Inverse.Y),
-                  minimum((FarZs[Child] - Origin.Z) * Inverse.Z, MaxDistance));
+          maximum(maximum((NearXs.Child[Child] - Origin.X) * Inverse.X,
+                          (NearYs.Child[Child] - Origin.Y) * Inverse.Y),
+                  maximum((NearZs.Child[Child] - Origin.Z) * Inverse.Z, 0.0f));
+      Result.Leave[Child] = minimum(
+          minimum((FarXs.Child[Child] - Origin.X) * Inverse.X,
+                  (FarYs.Child[Child] - Origin.Y) * Inverse.Y),
+          minimum((FarZs.Child[Child] - Origin.Z) * Inverse.Z, MaxDistance));
     }
     return Result;
   }
@@ -85,8 +92,14 @@ private:
   static uint32_t nearOffset(float Component) {
     return Component < 0.0f ? kBoundsSideBytes : 0;
   }
-  static const float *bounds(const char *Side, uint32_t Axis) {
-    return reinterpret_cast<const float *>(Side + boundsOffset(Axis));
+  /// One side of the boxes of both children, by child.
+  struct SidePair {
+    float Child[2];
+  };
+  static SidePair load(const char *Side, uint32_t Axis) {
+    const float *Bounds =
+        reinterpret_cast<const float *>(Side + boundsOffset(Axis));
+    return {{Bounds[0], Bounds[1]}};
   }
 
   Vector3 Origin;
@@ -95,22 +108,25 @@ private:
   uint32_t FarX, FarY, FarZ;
 };
 
-/// The distance at which \p R meets \p Triangle, or \p MaxDistance if it does
-/// not before that.
-inline float intersectTriangle(const TriangleRecord &Triangle, const Ray &R,
-                               float MaxDistance) {
+/// What intersectTriangle() returns for a miss: beyond every distance.
+inline constexpr float kMissDistance = 3.0e38f;
+
+/// The distance at which \p R meets \p Triangle, or kMissDistance. Without
+/// branches, so that nothing delays a load until it is known to be needed.
+inline float intersectTriangle(const TriangleRecord &Triangle, const Ray &R) {
   const PlaneEquation Plane = Triangle.Plane;
   const PlaneEquation URow = Triangle.U;
   const PlaneEquation VRow = Triangle.V;
   const float Height = dot(Plane.Direction, R.Origin) + Plane.Offset;
   const float Distance = -Height / dot(Plane.Direction, R.Direction);
-  // Also false if the ray lies in the plane and Distance is NaN.
-  if (!(Distance > 0.0f && Distance < MaxDistance))
-    return MaxDistance;
   const Vector3 Point = R.Origin + R.Direction * Distance;
   const float U = dot(URow.Direction, Point) + URow.Offset;
   const float V = dot(VRow.Direction, Point) + VRow.Offset;
-  return U >= 0.0f && V >= 0.0f && U + V <= 1.0f ? Distance : MaxDistance;
+  // For a ray in the triangle's plane, Distance and with it U and V may be
+  // infinite or NaN: then a comparison is false.
+  const bool IsHit =
+      (Distance > 0.0f) & (U >= 0.0f) & (V >= 0.0f) & (U + V <= 1.0f);
+  return IsHit ? Distance : kMissDistance;
 }
 
 enum class HitQuery {
@@ -131,12 +147,14 @@ inline Hit findHit(const SceneView &Scene, BvhReference Root, const Ray &R,
   StackEntry Stack[kMaxBvhDepth];
   StackEntry *Top = Stack;
 
+  const char *const Nodes = Scene.Nodes;
+  const TriangleRecord *const Triangles = Scene.Triangles;
   const RayBoxTester Boxes(R);
   Hit Found{MaxDistance, kNoTriangle};
   BvhReference Reference = Root;
   for (;;) {
     if (!isLeaf(Reference)) {
-      const char *Node = Scene.Nodes + Reference;
+      const char *Node = Nodes + Reference;
       const BvhReference *Children =
           reinterpret_cast<const BvhNode *>(Node)->Child;
       const BvhReference Child0 = Children[0];
@@ -164,16 +182,19 @@ inline Hit findHit(const SceneView &Scene, BvhReference Root, const Ray &R,
       }
     } else {
       uint32_t Triangle = leafFirst(Reference);
-      const uint32_t End = Triangle + leafCount(Reference);
-      for (; Triangle != End; ++Triangle) {
-        const float Distance =
-            intersectTriangle(Scene.Triangles[Triangle], R, Found.Distance);
-        if (Distance < Found.Distance) {
-          Found = {Distance, Triangle};
-          if (Query == HitQuery::Any)
-            return Found;
-        }
+      const TriangleRecord *Record = Triangles + Triangle;
+      uint32_t Left = leafCount(Reference);
+      // Two at a time share one wait for memory.
+      for (; Left >= 2; Left -= 2, Triangle += 2, Record += 2) {
+        const float DistanceA = intersectTriangle(Record[0], R);
+        const float DistanceB = intersectTriangle(Record[1], R);
+        Found.take(DistanceA, Triangle);
+        Found.take(DistanceB, Triangle + 1);
       }
+      if (Left != 0)
+        Found.take(intersectTriangle(*Record, R), Triangle);
+      if (Query == HitQuery::Any && Found.Triangle != kNoTriangle)
+        return Found;
     }
     do {
       if (Top == Stack)

@@ -98,7 +98,7 @@ static void expectValid(const Tree &T) {
 static double expectedCost(const Tree &T, BvhReference Reference,
                            const BvhCosts &Costs) {
   if (isLeaf(Reference))
-    return Costs.Leaf + Costs.Triangle * leafCount(Reference);
+    return Costs.Triangle * leafCount(Reference);
   const BvhNode &Node = T.Nodes[Reference / sizeof(BvhNode)];
   BoundingBox Box = childBox(Node, 0);
   Box.extend(childBox(Node, 1));
@@ -215,7 +215,7 @@ TEST(BvhBuilder, HeuristicBeatsMedianSplits) {
       for (uint32_t I = Begin; I != End; ++I)
         Bounds.extend(T.Boxes[T.Order[I]]);
       if (End - Begin <= 2)
-        return Costs.Leaf + Costs.Triangle * float(End - Begin);
+        return Costs.Triangle * float(End - Begin);
       const uint32_t Middle = (Begin + End) / 2;
       BoundingBox Left, Right;
       const double LeftCost = cost(Begin, Middle, Left);
