@@ -176,7 +176,21 @@ static llvm::Error writeResults(const RunSummary &Run, const Options &Request,
   return Failures;
 }
 
-Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
+/// Everything that a run needs, in the order in which it is set up.
+struct Setup {
+  ElfProgram Elf;
+  std::optional<Scene> Source;
+  Memory Global;
+  ProgramMemory Launch;
+  LaunchBlock Block = {};
+
+  Setup(ElfProgram Loaded, std::optional<Scene> Source, uint64_t MemoryBytes)
+      : Elf(std::move(Loaded)), Source(std::move(Source)), Global(MemoryBytes),
+        Launch(Elf, Global) {}
+};
+
+static Expected<std::unique_ptr<Setup>> setUp(const Options &Request,
+                                              const ChipConfig &Chip) {
   Expected<ElfProgram> Elf = ElfProgram::load(Request.Program);
   if (!Elf)
     return Elf.takeError();
@@ -186,56 +200,71 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   if (!Source)
     return Source.takeError();
 
-  Memory Global(Chip.MemoryBytes);
-  if (!Global.isMapped())
+  auto Result = std::make_unique<Setup>(std::move(*Elf), std::move(*Source),
+                                        Chip.MemoryBytes);
+  if (!Result->Global.isMapped())
     return createStringError("the host has no room for the chip's memory of " +
                              Twine(Chip.MemoryBytes) + " bytes");
-  ProgramMemory Launch(*Elf, Global);
   LaunchRequest ToLaunch;
   ToLaunch.Arguments.push_back(Request.Program);
   append_range(ToLaunch.Arguments, Request.ProgramArguments);
-  ToLaunch.SceneToRender = *Source ? &**Source : nullptr;
+  ToLaunch.SceneToRender = Result->Source ? &*Result->Source : nullptr;
   ToLaunch.Rendering = Request.Rendering;
   ToLaunch.ThreadCount = Chip.threadCount();
-  Expected<LaunchBlock> Block = setUpProgram(*Elf, ToLaunch, Global, Launch);
+  Expected<LaunchBlock> Block =
+      setUpProgram(Result->Elf, ToLaunch, Result->Global, Result->Launch);
   if (!Block)
     return Block.takeError();
+  Result->Block = *Block;
+  return Result;
+}
 
-  Program Text = decodeText(*Elf);
-  Engine Machine(Chip, Text, Global);
+/// Runs the machine with a progress line.
+static RunResult runWithProgress(Engine &Machine, const Options &Request,
+                                 const Setup &Loaded, ProgressLine &Line) {
+  double Pixels = double(Loaded.Block.Width) * Loaded.Block.Height;
+  Machine.setHostThreads(Request.HostThreads);
+  Machine.setOutput(passOn(Line));
+  return Machine.run(
+      Request.MaxCycles, &stopOnInterrupt(), [&](const Progress &Now) {
+        std::optional<double> Share;
+        if (Loaded.Source)
+          Share = readPixelsTaken(Loaded.Block, Loaded.Launch) / Pixels;
+        Line.update(Now, Share);
+        outs().flush();
+      });
+}
+
+Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
+  Expected<std::unique_ptr<Setup>> Loaded = setUp(Request, Chip);
+  if (!Loaded)
+    return Loaded.takeError();
+  const Setup &Ready = **Loaded;
+  Program Text = decodeText(Ready.Elf);
+  Engine Machine(Chip, Text, (*Loaded)->Global);
   if (!Machine.error().empty())
     return createStringError(Machine.error());
   if (llvm::Error E = checkOutputs(Request))
     return E;
 
   ProgressLine Line(!Request.Quiet);
-  Machine.setHostThreads(Request.HostThreads);
-  Machine.setOutput(passOn(Line));
-  double Pixels = double(Block->Width) * Block->Height;
-  RunResult Result = Machine.run(
-      Request.MaxCycles, &stopOnInterrupt(), [&](const Progress &Now) {
-        std::optional<double> Share;
-        if (*Source)
-          Share = readPixelsTaken(*Block, Launch) / Pixels;
-        Line.update(Now, Share);
-        outs().flush();
-      });
+  RunResult Result = runWithProgress(Machine, Request, Ready, Line);
   HostSpeed Speed{Line.seconds(), Request.HostThreads};
   Line.clear();
 
   RunSummary Run{
       Chip, Machine.statistics(), outcomeName(Result.End), exitStatus(Result),
       {},   std::nullopt};
-  if (*Source) {
+  if (Ready.Source) {
     const RenderOptions &Image = Request.Rendering;
-    Run.Rays = readRayCounts(*Block, Chip.threadCount(), Launch);
+    Run.Rays = readRayCounts(Ready.Block, Chip.threadCount(), Ready.Launch);
     Run.Image = ImageSettings{Image.Width, Image.Height, Image.SamplesPerPixel,
                               Image.MaxDepth, Image.Seed};
   }
-  llvm::Error Failures = writeResults(Run, Request, *Block, Launch);
+  llvm::Error Failures = writeResults(Run, Request, Ready.Block, Ready.Launch);
   if (!Request.Quiet)
     writeTable(Run, Speed, errs());
-  explainEnd(Result, Request, Chip, *Elf, Machine);
+  explainEnd(Result, Request, Chip, Ready.Elf, Machine);
   if (Failures)
     return Failures;
   return Run.ExitStatus;
