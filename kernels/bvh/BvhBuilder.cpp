@@ -216,13 +216,6 @@ uint32_t Builder::chooseMiddle(const Range &Primitives, uint32_t DepthLeft) {
   return OneSided ? Half : Middle;
 }
 
-static void setBounds(BvhNode &Node, unsigned Child, const BoundingBox &Box) {
-  for (unsigned Axis = 0; Axis != 3; ++Axis) {
-    Node.Bounds[Axis][0][Child] = component(Box.Lower, Axis);
-    Node.Bounds[Axis][1][Child] = component(Box.Upper, Axis);
-  }
-}
-
 BvhReference Builder::build() {
   for (uint32_t Position = 0; Position != Storage.PrimitiveCount; ++Position)
     Storage.Order[Position] = Position;
@@ -242,13 +235,12 @@ BvhReference Builder::build() {
       continue;
     }
     const uint32_t Number = Storage.NodeCount++;
-    *Current.Result = Number * static_cast<uint32_t>(sizeof(BvhNode));
+    *Current.Result = Number;
     BvhNode &Node = Storage.Nodes[Number];
     const Range Left = measure(Primitives.Begin, Middle);
     const Range Right = measure(Middle, Primitives.End);
-    setBounds(Node, 0, Left.Box);
-    setBounds(Node, 1, Right.Box);
-    Node.Reserved[0] = Node.Reserved[1] = 0;
+    Node.Boxes[0] = Left.Box;
+    Node.Boxes[1] = Right.Box;
     Pending[PendingCount++] = {Right, &Node.Child[1], Current.DepthLeft - 1};
     Pending[PendingCount++] = {Left, &Node.Child[0], Current.DepthLeft - 1};
   }

@@ -28,6 +28,12 @@ struct BvhCosts {
   float Triangle = 160;
 };
 
+/// An inner node of the binary tree. References to it hold its index.
+struct BvhNode {
+  BoundingBox Boxes[2];
+  BvhReference Child[2];
+};
+
 /// Memory for buildBvh() and its result.
 struct BvhStorage {
   /// One box per primitive; finite, lower <= upper.

@@ -52,31 +52,40 @@ public:
         NearZ(nearOffset(R.Direction.Z)), FarX(kBoundsSideBytes - NearX),
         FarY(kBoundsSideBytes - NearY), FarZ(kBoundsSideBytes - NearZ) {}
 
-  /// For both children of a node, the distances at which the ray enters and
-  /// leaves their boxes, within (0, MaxDistance); it misses where Enter >
-  /// Leave.
+  /// For each child of a node, the distances at which the ray enters and leaves
+  /// its box, within (0, MaxDistance); it misses where Enter > Leave.
   struct Distances {
-    float Enter[2];
-    float Leave[2];
+    float Enter[kWideBvhWidth];
+    float Leave[kWideBvhWidth];
+
+    bool isHit(unsigned Child) const { return Enter[Child] <= Leave[Child]; }
   };
 
   Distances test(const char *Node, float MaxDistance) const {
-    const SidePair NearXs = load(Node + NearX, 0);
-    const SidePair FarXs = load(Node + FarX, 0);
-    const SidePair NearYs = load(Node + NearY, 1);
-    const SidePair FarYs = load(Node + FarY, 1);
-    const SidePair NearZs = load(Node + NearZ, 2);
-    const SidePair FarZs = load(Node + FarZ, 2);
+    const Side NearXs = load(Node + NearX, 0);
+    const Side FarXs = load(Node + FarX, 0);
+    const Side NearYs = load(Node + NearY, 1);
+    const Side FarYs = load(Node + FarY, 1);
+    const Side NearZs = load(Node + NearZ, 2);
+    const Side FarZs = load(Node + FarZ, 2);
     Distances Result;
-    for (unsigned Child = 0; Child != 2; ++Child) {
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
       Result.Enter[Child] =
-          maximum(maximum((NearXs.Child[Child] - Origin.X) * Inverse.X,
-                          (NearYs.Child[Child] - Origin.Y) * Inverse.Y),
-                  maximum((NearZs.Child[Child] - Origin.Z) * Inverse.Z, 0.0f));
-      Result.Leave[Child] = minimum(
-          minimum((FarXs.Child[Child] - Origin.X) * Inverse.X,
-                  (FarYs.Child[Child] - Origin.Y) * Inverse.Y),
-          minimum((FarZs.Child[Child] - Origin.Z) * Inverse.Z, MaxDistance));
+          maximum((NearXs.Plane[Child] - Origin.X) * Inverse.X, 0.0f);
+      Result.Leave[Child] =
+          minimum((FarXs.Plane[Child] - Origin.X) * Inverse.X, MaxDistance);
+    }
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+      Result.Enter[Child] = maximum(
+          (NearYs.Plane[Child] - Origin.Y) * Inverse.Y, Result.Enter[Child]);
+      Result.Leave[Child] = minimum((FarYs.Plane[Child] - Origin.Y) * Inverse.Y,
+                                    Result.Leave[Child]);
+    }
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+      Result.Enter[Child] = maximum(
+          (NearZs.Plane[Child] - Origin.Z) * Inverse.Z, Result.Enter[Child]);
+      Result.Leave[Child] = minimum((FarZs.Plane[Child] - Origin.Z) * Inverse.Z,
+                                    Result.Leave[Child]);
     }
     return Result;
   }
@@ -92,14 +101,14 @@ private:
   static uint32_t nearOffset(float Component) {
     return Component < 0.0f ? kBoundsSideBytes : 0;
   }
-  /// One side of the boxes of both children, by child.
-  struct SidePair {
-    float Child[2];
+  /// One side of all children's boxes.
+  struct Side {
+    float Plane[kWideBvhWidth];
   };
-  static SidePair load(const char *Side, uint32_t Axis) {
-    const float *Bounds =
+  static Side load(const char *Side, uint32_t Axis) {
+    const float *Planes =
         reinterpret_cast<const float *>(Side + boundsOffset(Axis));
-    return {{Bounds[0], Bounds[1]}};
+    return {{Planes[0], Planes[1], Planes[2], Planes[3]}};
   }
 
   Vector3 Origin;
@@ -129,80 +138,141 @@ inline float intersectTriangle(const TriangleRecord &Triangle, const Ray &R) {
   return IsHit ? Distance : kMissDistance;
 }
 
-enum class HitQuery {
-  /// The first triangle along the ray.
-  Closest,
-  /// Whether there is a triangle; which one is arbitrary.
-  Any
+/// A node's references, loaded together with its boxes.
+struct WideChildren {
+  explicit WideChildren(const char *Node) {
+    const auto *Wide = reinterpret_cast<const WideBvhNode *>(Node);
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+      References[Child] = Wide->Child[Child];
+  }
+  BvhReference References[kWideBvhWidth];
 };
 
-/// Finds where \p R meets a triangle of the scene before \p MaxDistance.
-template <HitQuery Query>
-inline Hit findHit(const SceneView &Scene, BvhReference Root, const Ray &R,
-                   float MaxDistance) {
-  struct StackEntry {
+/// Nodes and leaves that wait to be visited.
+class TraversalStack {
+public:
+  bool isEmpty() const { return Top == Entries; }
+  void push(BvhReference Reference, float Enter) {
+    *Top++ = {Reference, Enter};
+  }
+  /// The youngest entry that begins before \p MaxDistance; false if there is
+  /// none.
+  bool popNearer(float MaxDistance, BvhReference &Reference) {
+    do {
+      if (isEmpty())
+        return false;
+      --Top;
+    } while (Top->Enter > MaxDistance);
+    Reference = Top->Reference;
+    return true;
+  }
+  /// The youngest entry; false if there is none.
+  bool pop(BvhReference &Reference) {
+    if (isEmpty())
+      return false;
+    Reference = (--Top)->Reference;
+    return true;
+  }
+
+private:
+  struct Entry {
     BvhReference Reference;
     float Enter;
   };
-  StackEntry Stack[kMaxBvhDepth];
-  StackEntry *Top = Stack;
+  // Each node on the way leaves all but one of its children here.
+  Entry Entries[kMaxBvhDepth * (kWideBvhWidth - 1) + 1];
+  Entry *Top = Entries;
+};
 
+/// Pushes the children that the ray hits but for the nearest, which becomes
+/// \p Reference; false if it hits none.
+inline bool descendToNearest(const RayBoxTester::Distances &D,
+                             const BvhReference *Children,
+                             TraversalStack &Stack, BvhReference &Reference) {
+  BvhReference Nearest = 0;
+  float NearestEnter = kMissDistance;
+  for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+    if (!D.isHit(Child))
+      continue;
+    if (D.Enter[Child] < NearestEnter) {
+      if (NearestEnter != kMissDistance)
+        Stack.push(Nearest, NearestEnter);
+      Nearest = Children[Child];
+      NearestEnter = D.Enter[Child];
+    } else {
+      Stack.push(Children[Child], D.Enter[Child]);
+    }
+  }
+  Reference = Nearest;
+  return NearestEnter != kMissDistance;
+}
+
+/// Replaces \p Found by the nearest hit in a leaf that is nearer.
+inline void intersectLeaf(const TriangleRecord *Triangles, BvhReference Leaf,
+                          const Ray &R, Hit &Found) {
+  uint32_t Triangle = leafFirst(Leaf);
+  const TriangleRecord *Record = Triangles + Triangle;
+  uint32_t Left = leafCount(Leaf);
+  // Two at a time share one wait for memory.
+  for (; Left >= 2; Left -= 2, Triangle += 2, Record += 2) {
+    const float DistanceA = intersectTriangle(Record[0], R);
+    const float DistanceB = intersectTriangle(Record[1], R);
+    Found.take(DistanceA, Triangle);
+    Found.take(DistanceB, Triangle + 1);
+  }
+  if (Left != 0)
+    Found.take(intersectTriangle(*Record, R), Triangle);
+}
+
+/// The first triangle that \p R meets before \p MaxDistance.
+inline Hit findClosestHit(const SceneView &Scene, BvhReference Root, Ray R,
+                          float MaxDistance) {
   const char *const Nodes = Scene.Nodes;
   const TriangleRecord *const Triangles = Scene.Triangles;
   const RayBoxTester Boxes(R);
+  TraversalStack Stack;
   Hit Found{MaxDistance, kNoTriangle};
   BvhReference Reference = Root;
   for (;;) {
     if (!isLeaf(Reference)) {
       const char *Node = Nodes + Reference;
-      const BvhReference *Children =
-          reinterpret_cast<const BvhNode *>(Node)->Child;
-      const BvhReference Child0 = Children[0];
-      const BvhReference Child1 = Children[1];
-      const RayBoxTester::Distances D = Boxes.test(Node, Found.Distance);
-      const bool Hit0 = D.Enter[0] <= D.Leave[0];
-      const bool Hit1 = D.Enter[1] <= D.Leave[1];
-      if (Hit0 && Hit1) {
-        if (D.Enter[0] <= D.Enter[1]) {
-          *Top++ = {Child1, D.Enter[1]};
-          Reference = Child0;
-        } else {
-          *Top++ = {Child0, D.Enter[0]};
-          Reference = Child1;
-        }
+      const WideChildren Children(Node);
+      if (descendToNearest(Boxes.test(Node, Found.Distance),
+                           Children.References, Stack, Reference))
         continue;
-      }
-      if (Hit0) {
-        Reference = Child0;
-        continue;
-      }
-      if (Hit1) {
-        Reference = Child1;
-        continue;
-      }
     } else {
-      uint32_t Triangle = leafFirst(Reference);
-      const TriangleRecord *Record = Triangles + Triangle;
-      uint32_t Left = leafCount(Reference);
-      // Two at a time share one wait for memory.
-      for (; Left >= 2; Left -= 2, Triangle += 2, Record += 2) {
-        const float DistanceA = intersectTriangle(Record[0], R);
-        const float DistanceB = intersectTriangle(Record[1], R);
-        Found.take(DistanceA, Triangle);
-        Found.take(DistanceB, Triangle + 1);
-      }
-      if (Left != 0)
-        Found.take(intersectTriangle(*Record, R), Triangle);
-      if (Query == HitQuery::Any && Found.Triangle != kNoTriangle)
-        return Found;
+      intersectLeaf(Triangles, Reference, R, Found);
     }
-    do {
-      if (Top == Stack)
-        return Found;
-      --Top;
-    } while (Query == HitQuery::Closest && Top->Enter > Found.Distance);
-    Reference = Top->Reference;
+    if (!Stack.popNearer(Found.Distance, Reference))
+      return Found;
   }
+}
+
+/// Whether \p R meets any triangle before \p MaxDistance. Takes the children of
+/// a node in the order of memory: sorting would cost more than it saves.
+inline bool isBlocked(const SceneView &Scene, BvhReference Root, Ray R,
+                      float MaxDistance) {
+  const char *const Nodes = Scene.Nodes;
+  const TriangleRecord *const Triangles = Scene.Triangles;
+  const RayBoxTester Boxes(R);
+  TraversalStack Stack;
+  BvhReference Reference = Root;
+  do {
+    if (!isLeaf(Reference)) {
+      const char *Node = Nodes + Reference;
+      const WideChildren Children(Node);
+      const RayBoxTester::Distances D = Boxes.test(Node, MaxDistance);
+      for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+        if (D.isHit(Child))
+          Stack.push(Children.References[Child], 0.0f);
+    } else {
+      Hit Found{MaxDistance, kNoTriangle};
+      intersectLeaf(Triangles, Reference, R, Found);
+      if (Found.Triangle != kNoTriangle)
+        return true;
+    }
+  } while (Stack.pop(Reference));
+  return false;
 }
 
 } // namespace tp

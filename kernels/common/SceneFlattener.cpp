@@ -7,6 +7,7 @@
 #include "kernels/common/SceneFlattener.h"
 
 #include "kernels/bvh/BvhBuilder.h"
+#include "kernels/bvh/WideBvh.h"
 #include "kernels/common/LightTable.h"
 #include "kernels/common/SceneLayout.h"
 
@@ -130,8 +131,11 @@ std::vector<uint8_t> flattenScene(const Scene &Source) {
   std::vector<BvhNode> Nodes(Count - 1);
   BvhStorage Storage{Boxes.data(), Count, Order.data(), Nodes.data(), 0};
   SceneHeader Header{};
-  Header.Root = buildBvh(Storage);
-  Nodes.resize(Storage.NodeCount);
+  const BvhReference BinaryRoot = buildBvh(Storage);
+  std::vector<WideBvhNode> WideNodes(Storage.NodeCount);
+  WideBvhStorage WideStorage{Nodes.data(), WideNodes.data(), 0};
+  Header.Root = widenBvh(WideStorage, BinaryRoot);
+  WideNodes.resize(WideStorage.WideNodeCount);
 
   std::vector<TriangleRecord> Triangles;
   Triangles.reserve(Count);
@@ -147,8 +151,8 @@ std::vector<uint8_t> flattenScene(const Scene &Source) {
 
   BlockWriter Block;
   Header.Version = kSceneVersion;
-  Header.NodesOffset = Block.append(Nodes);
-  Header.NodeCount = uint32_t(Nodes.size());
+  Header.NodesOffset = Block.append(WideNodes);
+  Header.NodeCount = uint32_t(WideNodes.size());
   Header.TrianglesOffset = Block.append(Triangles);
   Header.TriangleCount = Count;
   Header.MaterialsOffset = Block.append(Materials);

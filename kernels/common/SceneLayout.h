@@ -20,18 +20,15 @@
 
 namespace tp {
 
-/// Which child a BvhNode has: another node, or a range of triangles.
-///   node:  0 | byte offset of the node from the node array's start : 31
+/// What a child of a BVH node is: another node, or a range of triangles.
+///   node:  0 | where the node is, in a way that the kind of node defines : 31
 ///   leaf:  1 | first triangle : 27 | number of triangles, 1 to 15 : 4
 using BvhReference = uint32_t;
 
 inline constexpr uint32_t kMaxLeafTriangles = 15;
-inline constexpr uint32_t kMaxBvhTriangles = 1u << 27;
-/// More nodes than this do not fit in a reference.
-inline constexpr uint32_t kMaxBvhNodes = 1u << 25;
-/// Inner nodes on the way from the root to any leaf, at most; a traversal's
-/// stack needs no more entries.
-inline constexpr uint32_t kMaxBvhDepth = 48;
+inline constexpr uint32_t kMaxBvhTriangles = 1u << 24;
+/// Inner nodes on the way from the root to any leaf, at most.
+inline constexpr uint32_t kMaxBvhDepth = 40;
 
 constexpr bool isLeaf(BvhReference Reference) {
   return static_cast<int32_t>(Reference) < 0;
@@ -44,20 +41,27 @@ constexpr uint32_t leafFirst(BvhReference Leaf) {
 }
 constexpr uint32_t leafCount(BvhReference Leaf) { return Leaf & 15u; }
 
-/// An inner node: the boxes of its two children, so that one visit decides on
-/// both with one wait for memory.
-struct BvhNode {
-  /// [axis][0 = lower, 1 = upper side][child]: with the side chosen by the
-  /// ray's sign, both children's near planes lie side by side.
-  float Bounds[3][2][2];
-  BvhReference Child[2];
-  uint32_t Reserved[2];
+inline constexpr uint32_t kWideBvhWidth = 4;
+
+/// An inner node of the tree that rays traverse: the boxes of up to four
+/// children, so that one wait for memory decides on all of them. References to
+/// it hold its byte offset from the start of the node array.
+struct WideBvhNode {
+  /// [axis][0 = lower, 1 = upper side][child]: once the ray's sign has chosen
+  /// the side, the near planes of all children lie side by side. A slot without
+  /// a child has a box that is upside down, which no ray hits.
+  float Bounds[3][2][kWideBvhWidth];
+  BvhReference Child[kWideBvhWidth];
+  uint32_t Reserved[4];
 };
 
-/// The byte offset in a BvhNode of the lower bounds of \p Axis, and the
+/// The byte offset in a WideBvhNode of the lower bounds of \p Axis, and the
 /// distance from there to the upper bounds.
-constexpr uint32_t boundsOffset(uint32_t Axis) { return Axis * 16; }
-inline constexpr uint32_t kBoundsSideBytes = 8;
+constexpr uint32_t boundsOffset(uint32_t Axis) {
+  return Axis * 2 * kWideBvhWidth * static_cast<uint32_t>(sizeof(float));
+}
+inline constexpr uint32_t kBoundsSideBytes =
+    kWideBvhWidth * static_cast<uint32_t>(sizeof(float));
 
 /// A plane, or one row of an affine map: Direction . P + Offset.
 struct PlaneEquation {
@@ -144,13 +148,13 @@ struct SceneHeader {
 };
 
 inline constexpr uint32_t kSceneVersion = 1;
-inline constexpr uint32_t kSceneAlignment = 64;
+inline constexpr uint32_t kSceneAlignment = 128;
 
-static_assert(sizeof(BvhNode) == 64 && sizeof(TriangleRecord) == 64 &&
+static_assert(sizeof(WideBvhNode) == 128 && sizeof(TriangleRecord) == 64 &&
                   sizeof(LightRecord) == 64 && sizeof(MaterialRecord) == 16 &&
                   sizeof(LightChoice) == 8 && sizeof(SceneHeader) == 128,
               "host and TP share one layout");
-static_assert(__builtin_offsetof(BvhNode, Child) == 48 &&
+static_assert(__builtin_offsetof(WideBvhNode, Child) == 96 &&
                   __builtin_offsetof(SceneHeader, Camera) == 48 &&
                   __builtin_offsetof(TriangleRecord, BaseColor) == 48,
               "host and TP share one layout");

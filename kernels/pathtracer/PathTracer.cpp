@@ -133,8 +133,7 @@ Vector3 PathTracer::sampleLights(const Vertex &At, RandomWords Random) {
   // Ends before the light itself.
   constexpr float ShadowEnd = 0.999f;
   ++RayCount;
-  const Hit Blocker = findHit<HitQuery::Any>(Scene, Root, Shadow, ShadowEnd);
-  if (Blocker.Triangle != kNoTriangle)
+  if (isBlocked(Scene, Root, Shadow, ShadowEnd))
     return {};
   const float Geometry =
       CosineHere * CosineThere / (DistanceSquared * DistanceSquared);
@@ -147,7 +146,7 @@ Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
   Vector3 Throughput = {1, 1, 1};
   for (uint32_t Depth = 1;; ++Depth) {
     ++RayCount;
-    const Hit Found = findHit<HitQuery::Closest>(Scene, Root, R, Farthest);
+    const Hit Found = findClosestHit(Scene, Root, R, Farthest);
     if (Found.Triangle == kNoTriangle)
       return Radiance;
     const TriangleRecord &Triangle = Scene.Triangles[Found.Triangle];

@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "kernels/bvh/BvhBuilder.h"
+#include "kernels/bvh/WideBvh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,14 +40,6 @@ static Tree build(std::vector<BoundingBox> Boxes) {
   return Result;
 }
 
-static BoundingBox childBox(const BvhNode &Node, unsigned Child) {
-  auto Side = [&](unsigned Which) {
-    return Vector3{Node.Bounds[0][Which][Child], Node.Bounds[1][Which][Child],
-                   Node.Bounds[2][Which][Child]};
-  };
-  return {Side(0), Side(1)};
-}
-
 static bool contains(const BoundingBox &Outer, const BoundingBox &Inner) {
   return Outer.Lower.X <= Inner.Lower.X && Outer.Lower.Y <= Inner.Lower.Y &&
          Outer.Lower.Z <= Inner.Lower.Z && Outer.Upper.X >= Inner.Upper.X &&
@@ -70,16 +63,64 @@ static BoundingBox check(const Tree &T, BvhReference Reference, uint32_t Depth,
     return Box;
   }
   EXPECT_LT(Depth, kMaxBvhDepth);
-  EXPECT_EQ(Reference % sizeof(BvhNode), 0u);
   ++VisitedNodes;
-  const BvhNode &Node = T.Nodes.at(Reference / sizeof(BvhNode));
+  const BvhNode &Node = T.Nodes.at(Reference);
   for (unsigned Child = 0; Child != 2; ++Child) {
     const BoundingBox Inside =
         check(T, Node.Child[Child], Depth + 1, NextPrimitive, VisitedNodes);
-    EXPECT_TRUE(equal(childBox(Node, Child), Inside));
+    EXPECT_TRUE(equal(Node.Boxes[Child], Inside));
     Box.extend(Inside);
   }
   return Box;
+}
+
+/// Checks the subtree of the wide tree and returns the box of its primitives.
+static BoundingBox checkWide(const Tree &T,
+                             const std::vector<WideBvhNode> &Nodes,
+                             BvhReference Reference, uint32_t Depth,
+                             std::vector<unsigned> &Found) {
+  BoundingBox Box;
+  if (isLeaf(Reference)) {
+    for (uint32_t I = 0; I != leafCount(Reference); ++I) {
+      const uint32_t Position = leafFirst(Reference) + I;
+      ++Found.at(Position);
+      Box.extend(T.Boxes[T.Order[Position]]);
+    }
+    return Box;
+  }
+  EXPECT_LT(Depth, kMaxBvhDepth);
+  EXPECT_EQ(Reference % sizeof(WideBvhNode), 0u);
+  const WideBvhNode &Node = Nodes.at(Reference / sizeof(WideBvhNode));
+  unsigned Children = 0;
+  for (unsigned Slot = 0; Slot != kWideBvhWidth; ++Slot) {
+    auto Side = [&](unsigned Which) {
+      return Vector3{Node.Bounds[0][Which][Slot], Node.Bounds[1][Which][Slot],
+                     Node.Bounds[2][Which][Slot]};
+    };
+    const BoundingBox SlotBox = {Side(0), Side(1)};
+    if (SlotBox.Lower.X > SlotBox.Upper.X) {
+      EXPECT_TRUE(equal(SlotBox, BoundingBox())) << "an empty slot";
+      continue;
+    }
+    ++Children;
+    const BoundingBox Inside =
+        checkWide(T, Nodes, Node.Child[Slot], Depth + 1, Found);
+    EXPECT_TRUE(equal(SlotBox, Inside));
+    Box.extend(Inside);
+  }
+  EXPECT_GE(Children, 2u);
+  return Box;
+}
+
+static void expectValidWhenWide(const Tree &T) {
+  std::vector<WideBvhNode> WideNodes(T.Nodes.size());
+  WideBvhStorage Storage{T.Nodes.data(), WideNodes.data(), 0};
+  const BvhReference Root = widenBvh(Storage, T.Root);
+  ASSERT_LE(Storage.WideNodeCount, T.Nodes.size());
+  WideNodes.resize(Storage.WideNodeCount);
+  std::vector<unsigned> Found(T.Boxes.size());
+  checkWide(T, WideNodes, Root, 0, Found);
+  EXPECT_EQ(Found, std::vector<unsigned>(T.Boxes.size(), 1));
 }
 
 static void expectValid(const Tree &T) {
@@ -91,6 +132,7 @@ static void expectValid(const Tree &T) {
   std::sort(Sorted.begin(), Sorted.end());
   for (uint32_t I = 0; I != Sorted.size(); ++I)
     ASSERT_EQ(Sorted[I], I) << "a permutation holds every primitive once";
+  expectValidWhenWide(T);
 }
 
 /// The expected cost of a ray that hits the root's box, by the surface area
@@ -99,12 +141,12 @@ static double expectedCost(const Tree &T, BvhReference Reference,
                            const BvhCosts &Costs) {
   if (isLeaf(Reference))
     return Costs.Triangle * leafCount(Reference);
-  const BvhNode &Node = T.Nodes[Reference / sizeof(BvhNode)];
-  BoundingBox Box = childBox(Node, 0);
-  Box.extend(childBox(Node, 1));
+  const BvhNode &Node = T.Nodes[Reference];
+  BoundingBox Box = Node.Boxes[0];
+  Box.extend(Node.Boxes[1]);
   double Cost = Costs.Node;
   for (unsigned Child = 0; Child != 2; ++Child)
-    Cost += childBox(Node, Child).halfArea() / Box.halfArea() *
+    Cost += Node.Boxes[Child].halfArea() / Box.halfArea() *
             expectedCost(T, Node.Child[Child], Costs);
   return Cost;
 }
@@ -132,6 +174,14 @@ TEST(BvhBuilder, OnePrimitiveIsALeaf) {
 TEST(BvhBuilder, TreesOfEverySmallSizeAreValid) {
   for (uint32_t Count = 1; Count != 200; ++Count)
     expectValid(build(randomBoxes(Count, 30)));
+}
+
+TEST(WideBvh, MostNodesOfALargeTreeAreFull) {
+  const Tree T = build(randomBoxes(50000, 2));
+  std::vector<WideBvhNode> WideNodes(T.Nodes.size());
+  WideBvhStorage Storage{T.Nodes.data(), WideNodes.data(), 0};
+  widenBvh(Storage, T.Root);
+  EXPECT_LT(Storage.WideNodeCount, T.Nodes.size() * 0.55);
 }
 
 TEST(BvhBuilder, LargeTreeIsValid) {

@@ -130,8 +130,7 @@ static Comparison compare(const Scene &Source, unsigned Count,
   for (; Result.Rays != Count; ++Result.Rays) {
     const Ray R = Make();
     const float Expected = Oracle.distance(R, 1e30f);
-    const Hit Found =
-        findHit<HitQuery::Closest>(View, View.Header->Root, R, 1e30f);
+    const Hit Found = findClosestHit(View, View.Header->Root, R, 1e30f);
     const bool IsHit = Found.Triangle != kNoTriangle;
     Result.Hits += IsHit;
     const bool Agrees = IsHit ? std::abs(Found.Distance - Expected) <=
@@ -141,9 +140,7 @@ static Comparison compare(const Scene &Source, unsigned Count,
 
     const float End = IsHit ? Found.Distance * 1.5f : 1000.0f;
     for (float MaxDistance : {End * 0.5f, End}) {
-      const bool Blocked =
-          findHit<HitQuery::Any>(View, View.Header->Root, R, MaxDistance)
-              .Triangle != kNoTriangle;
+      const bool Blocked = isBlocked(View, View.Header->Root, R, MaxDistance);
       Result.Disagreements += Blocked != Oracle.isBlocked(R, MaxDistance);
       EXPECT_EQ(Blocked, IsHit && Found.Distance < MaxDistance)
           << "both queries find the same";
@@ -232,8 +229,8 @@ TEST(Intersection, RaysInTheCornellBoxDoNotLeak) {
     Vector3 Direction = randomVector(Generator, -1, 1);
     Direction.Z = std::abs(Direction.Z) + 0.5f;
     const Ray R{{278, 400, 100}, Direction};
-    Escaped += findHit<HitQuery::Closest>(View, View.Header->Root, R, 1e30f)
-                   .Triangle == kNoTriangle;
+    Escaped += findClosestHit(View, View.Header->Root, R, 1e30f).Triangle ==
+               kNoTriangle;
   }
   EXPECT_LE(Escaped, 2u);
 }

@@ -1,0 +1,35 @@
+//===- WideBvh.h - From the binary tree to the traversed one ----*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// Compiles for the host and for the TP: the caller gives all memory.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_BVH_WIDEBVH_H
+#define TP_KERNELS_BVH_WIDEBVH_H
+
+#include "kernels/bvh/BvhBuilder.h"
+
+namespace tp {
+
+/// Memory for widenBvh() and its result.
+struct WideBvhStorage {
+  /// What buildBvh() made.
+  const BvhNode *Nodes;
+  /// Room for as many nodes as the binary tree has.
+  WideBvhNode *WideNodes;
+  /// Receives the number of nodes made.
+  uint32_t WideNodeCount;
+};
+
+/// Takes up to four descendants of each node together, always opening the child
+/// with the largest surface, and returns the new root. A root that is a leaf
+/// stays one. Leaves stay what they are; no path gets longer.
+BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root);
+
+} // namespace tp
+
+#endif // TP_KERNELS_BVH_WIDEBVH_H
