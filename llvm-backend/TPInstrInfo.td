@@ -252,6 +252,7 @@ def MOV_S : FormatRR<OpFloat, 14, FPR, FPR, "mov_s", [], Bitwise, "rd = rs">;
 def MFC1 : FormatRR<OpFloat, 15, GPR, FPR, "mfc1",
                     [(set (i32 GPR:$rd), (bitconvert (f32 FPR:$rs)))], Bitwise,
                     "integer rd = the bits of float rs">;
+let isReMaterializable = 1, isAsCheapAsAMove = 1 in
 def MTC1 : FormatRR<OpFloat, 16, FPR, GPR, "mtc1",
                     [(set (f32 FPR:$rd), (bitconvert (i32 GPR:$rs)))], Bitwise,
                     "float rd = the bits of integer rs">;
@@ -481,6 +482,7 @@ class ReadSpecial<list<dag> pattern>
   let a = rd;
   let c = special;
 }
+let isReMaterializable = 1, isAsCheapAsAMove = 1 in
 def MFSR : ReadSpecial<[(set (i32 GPR:$rd), (TPReadConstant timm:$special))]>;
 // For the code generator: a counter's read stays where it is.
 let isCodeGenOnly = 1, hasSideEffects = 1 in
@@ -509,15 +511,15 @@ def ADJCALLSTACKUP
 }
 
 // jr r31.
-let isReturn = 1, isTerminator = 1, isBarrier = 1, Uses = [R31],
-    SchedRW = [Branch] in
+let isReturn = 1, isTerminator = 1, isBarrier = 1, SchedRW = [Branch] in
 def RET : TPPseudo<(outs), (ins), [(TPRet)]>;
 
 // j or jr that leaves the function.
 let isCall = 1, isTerminator = 1, isReturn = 1, isBarrier = 1, Uses = [R29],
     SchedRW = [Branch] in {
 def TAIL_J : TPPseudo<(outs), (ins calltarget:$target), []>;
-def TAIL_JR : TPPseudo<(outs), (ins GPR:$rs), [(TPTailCall (i32 GPR:$rs))]>;
+def TAIL_JR
+    : TPPseudo<(outs), (ins GPRTail:$rs), [(TPTailCall (i32 GPRTail:$rs))]>;
 }
 
 // A halt whose place among the blocks is left to the code generator (the call

@@ -96,6 +96,28 @@ def : Pat<(i32 (atomic_load_sub_i32 (i32 GPR:$rs), (i32 GPR:$rt))),
           (ATOM_ADD (SUB (i32 R0), GPR:$rt), GPR:$rs)>;
 
 //===----------------------------------------------------------------------===//
+// Shifts use the low five bits of the amount
+//===----------------------------------------------------------------------===//
+
+def lowFiveBits : ImmLeaf<i32, [{ return (Imm & 31) == 31; }]>;
+
+class MaskedShift<SDPatternOperator node, Instruction instruction>
+    : Pat<(i32 (node (i32 GPR:$a), (and (i32 GPR:$b), lowFiveBits))),
+          (instruction GPR:$a, GPR:$b)>;
+
+def : MaskedShift<shl, SLLV>;
+def : MaskedShift<srl, SRLV>;
+def : MaskedShift<sra, SRAV>;
+def : MaskedShift<rotr, ROTRV>;
+// 31 - b, the other half of a shift of two words.
+class ComplementShift<SDPatternOperator node, Instruction instruction>
+    : Pat<(i32 (node (i32 GPR:$a), (and (not (i32 GPR:$b)), lowFiveBits))),
+          (instruction GPR:$a, (NOR GPR:$b, (i32 R0)))>;
+
+def : ComplementShift<shl, SLLV>;
+def : ComplementShift<srl, SRLV>;
+
+//===----------------------------------------------------------------------===//
 // Integer compares
 //===----------------------------------------------------------------------===//
 

@@ -31,6 +31,12 @@ def GPR : RegisterClass<"TP", [i32], 32,
   let DiagnosticString = "operand must be an integer register (r0 to r31)";
 }
 
+// Where the target of an indirect tail call can be: what no function saves.
+def GPRTail : RegisterClass<"TP", [i32], 32,
+                            (add (sequence "R%u", 12, 15),
+                                 (sequence "R%u", 24, 28),
+                                 (sequence "R%u", 11, 4), R3, R2)>;
+
 def FPR : RegisterClass<"TP", [f32], 32,
                         (add (sequence "F%u", 12, 19), (sequence "F%u", 11, 4),
                              (sequence "F%u", 3, 0), (sequence "F%u", 20, 31))> {

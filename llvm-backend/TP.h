@@ -1,0 +1,35 @@
+//===- TP.h - The TP code generator's passes -------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_LLVM_BACKEND_TP_H
+#define TP_LLVM_BACKEND_TP_H
+
+#include "llvm/Support/CodeGen.h"
+
+namespace llvm {
+
+class FunctionPass;
+class ModulePass;
+class PassRegistry;
+class TPTargetMachine;
+
+/// Creates the pass that turns the selection DAG into TP instructions.
+FunctionPass *createTPISelDag(TPTargetMachine &TM, CodeGenOptLevel OptLevel);
+
+/// Creates the pass that gives the declarations of the TP builtins the
+/// attributes that TPBuiltins.def promises.
+ModulePass *createTPBuiltinAttributesPass();
+
+/// Adds the assembly printer to LLVM's target registry.
+void registerTPAsmPrinter();
+
+void initializeTPAsmPrinterPass(PassRegistry &);
+void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
+void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);
+
+} // namespace llvm
+
+#endif // TP_LLVM_BACKEND_TP_H

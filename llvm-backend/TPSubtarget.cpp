@@ -1,0 +1,79 @@
+//===- TPSubtarget.cpp - One kind of TP -------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/TPSubtarget.h"
+#include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
+#include "llvm/Analysis/ValueTracking.h"
+#include "llvm/CodeGen/LibcallLoweringInfo.h"
+#include "llvm/CodeGen/MachineInstr.h"
+#include "llvm/CodeGen/MachineMemOperand.h"
+#include "llvm/CodeGen/PseudoSourceValue.h"
+#include "llvm/CodeGen/ScheduleDAG.h"
+#include "llvm/IR/GlobalVariable.h"
+#include "llvm/IR/Instructions.h"
+
+using namespace llvm;
+
+#define DEBUG_TYPE "tp-subtarget"
+
+#define GET_SUBTARGETINFO_TARGET_DESC
+#define GET_SUBTARGETINFO_CTOR
+#include "TPGenSubtargetInfo.inc"
+
+TPSubtarget &TPSubtarget::initialize(StringRef CPU, StringRef FS) {
+  ParseSubtargetFeatures(CPU, CPU, FS);
+  return *this;
+}
+
+TPSubtarget::TPSubtarget(const Triple &TT, StringRef CPU, StringRef FS,
+                         const TargetMachine &TM)
+    : TPGenSubtargetInfo(TT, CPU, CPU, FS), InstrInfo(initialize(CPU, FS)),
+      FrameLowering(*this), Lowering(TM, *this) {}
+
+void TPSubtarget::initLibcallLoweringInfo(LibcallLoweringInfo &Info) const {
+  // LLVM gives an architecture that it does not know no library functions. The
+  // runtime has those of a bare-metal 32-bit machine with software double.
+  static const RTLIB::RuntimeLibcallsInfo Defaults{
+      Triple("mipsel-unknown-elf")};
+  // The constructor below calls this function.
+  static thread_local bool IsNested = false;
+  if (IsNested)
+    return;
+  IsNested = true;
+  LibcallLoweringInfo DefaultInfo(Defaults, *this);
+  IsNested = false;
+  for (RTLIB::Libcall Call : RTLIB::libcalls())
+    if (RTLIB::LibcallImpl Impl = DefaultInfo.getLibcallImpl(Call);
+        Impl != RTLIB::Unsupported)
+      Info.setLibcallImpl(Call, Impl);
+}
+
+/// Whether a memory operand is surely in the local store.
+static bool isInLocalStore(const MachineMemOperand &Operand) {
+  if (const PseudoSourceValue *Pseudo = Operand.getPseudoValue())
+    return Pseudo->isStack() || Pseudo->kind() == PseudoSourceValue::FixedStack;
+  const Value *Object = Operand.getValue();
+  if (!Object)
+    return false;
+  Object = getUnderlyingObject(Object);
+  if (isa<AllocaInst>(Object))
+    return true;
+  auto *Global = dyn_cast<GlobalVariable>(Object);
+  return Global && Global->isThreadLocal();
+}
+
+void TPSubtarget::adjustSchedDependency(SUnit *Def, int, SUnit *, int,
+                                        SDep &Dep,
+                                        const TargetSchedModel *) const {
+  if (Dep.getKind() != SDep::Data || !Def->isInstr())
+    return;
+  const MachineInstr &MI = *Def->getInstr();
+  if (MI.mayLoad() && !MI.memoperands_empty() &&
+      all_of(MI.memoperands(), [](const MachineMemOperand *Operand) {
+        return isInLocalStore(*Operand);
+      }))
+    Dep.setLatency(1);
+}

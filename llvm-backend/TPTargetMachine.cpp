@@ -1,0 +1,137 @@
+//===- TPTargetMachine.cpp - The TP as a target of LLVM -------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/TPTargetMachine.h"
+#include "llvm-backend/TP.h"
+#include "llvm-backend/TPBuiltinAttributes.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/TPMachineFunctionInfo.h"
+#include "llvm-backend/TPTargetTransformInfo.h"
+#include "llvm-backend/TargetInfo/TPTargetInfo.h"
+#include "llvm/CodeGen/Passes.h"
+#include "llvm/CodeGen/TargetLoweringObjectFileImpl.h"
+#include "llvm/CodeGen/TargetPassConfig.h"
+#include "llvm/MC/TargetRegistry.h"
+#include "llvm/Passes/PassBuilder.h"
+
+using namespace llvm;
+
+extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
+  static const bool Initialized = [] {
+    LLVMInitializeTPTargetInfo();
+    LLVMInitializeTPTargetMC();
+    LLVMInitializeTPAsmParser();
+    LLVMInitializeTPDisassembler();
+    RegisterTargetMachine<TPTargetMachine> X(getTheTPTarget());
+    registerTPAsmPrinter();
+
+    PassRegistry &Registry = *PassRegistry::getPassRegistry();
+    initializeTPAsmPrinterPass(Registry);
+    initializeTPBuiltinAttributesLegacyPass(Registry);
+    initializeTPDAGToDAGISelLegacyPass(Registry);
+    return true;
+  }();
+  (void)Initialized;
+}
+
+/// The triple's name and a processor stand for nothing: everything is static,
+/// at absolute addresses.
+TPTargetMachine::TPTargetMachine(const Target &T, const Triple &TT,
+                                 StringRef CPU, StringRef FS,
+                                 const TargetOptions &Options,
+                                 std::optional<Reloc::Model>,
+                                 std::optional<CodeModel::Model> CM,
+                                 CodeGenOptLevel OptLevel, bool)
+    : CodeGenTargetMachineImpl(
+          T, TPDataLayout, TT, CPU.empty() ? "generic" : CPU, FS, Options,
+          Reloc::Static, getEffectiveCodeModel(CM, CodeModel::Small), OptLevel),
+      ObjectFileLowering(std::make_unique<TargetLoweringObjectFileELF>()) {
+  this->Options.EnableCFIFixup = true;
+  initAsmInfo();
+}
+
+TPTargetMachine::~TPTargetMachine() = default;
+
+const TPSubtarget *TPTargetMachine::getSubtargetImpl(const Function &F) const {
+  Attribute CPUAttribute = F.getFnAttribute("target-cpu");
+  Attribute FSAttribute = F.getFnAttribute("target-features");
+  StringRef CPU =
+      CPUAttribute.isValid() ? CPUAttribute.getValueAsString() : TargetCPU;
+  StringRef FS = FSAttribute.isValid() ? FSAttribute.getValueAsString()
+                                       : StringRef(TargetFS);
+  if (CPU.empty())
+    CPU = "generic";
+  std::unique_ptr<TPSubtarget> &Subtarget = Subtargets[(CPU + FS).str()];
+  if (!Subtarget)
+    Subtarget = std::make_unique<TPSubtarget>(TargetTriple, CPU, FS, *this);
+  return Subtarget.get();
+}
+
+TargetTransformInfo
+TPTargetMachine::getTargetTransformInfo(const Function &F) const {
+  return TargetTransformInfo(std::make_unique<TPTTIImpl>(this, F));
+}
+
+MachineFunctionInfo *TPTargetMachine::createMachineFunctionInfo(
+    BumpPtrAllocator &Allocator, const Function &F,
+    const TargetSubtargetInfo *STI) const {
+  return TPMachineFunctionInfo::create<TPMachineFunctionInfo>(Allocator, F,
+                                                              STI);
+}
+
+void TPTargetMachine::registerPassBuilderCallbacks(PassBuilder &PB) {
+  auto AddAttributes = [](ModulePassManager &PM, auto...) {
+    PM.addPass(TPBuiltinAttributesPass());
+  };
+  PB.registerPipelineStartEPCallback(AddAttributes);
+  PB.registerFullLinkTimeOptimizationEarlyEPCallback(AddAttributes);
+  PB.registerPipelineParsingCallback(
+      [](StringRef Name, ModulePassManager &PM,
+         ArrayRef<PassBuilder::PipelineElement>) {
+        if (Name != "tp-builtin-attributes")
+          return false;
+        PM.addPass(TPBuiltinAttributesPass());
+        return true;
+      });
+}
+
+//===----------------------------------------------------------------------===//
+// Passes
+//===----------------------------------------------------------------------===//
+
+namespace {
+
+class TPPassConfig : public TargetPassConfig {
+public:
+  TPPassConfig(TPTargetMachine &TM, PassManagerBase &PM)
+      : TargetPassConfig(TM, PM) {
+    if (TM.getOptLevel() != CodeGenOptLevel::None)
+      substitutePass(&PostRASchedulerID, &PostMachineSchedulerID);
+  }
+
+  TPTargetMachine &getTPTargetMachine() const {
+    return getTM<TPTargetMachine>();
+  }
+
+  void addIRPasses() override {
+    addPass(createTPBuiltinAttributesPass());
+    addPass(createAtomicExpandLegacyPass());
+    TargetPassConfig::addIRPasses();
+  }
+
+  bool addInstSelector() override {
+    addPass(createTPISelDag(getTPTargetMachine(), getOptLevel()));
+    return false;
+  }
+
+  void addPreEmitPass() override { addPass(&BranchRelaxationPassID); }
+};
+
+} // namespace
+
+TargetPassConfig *TPTargetMachine::createPassConfig(PassManagerBase &PM) {
+  return new TPPassConfig(*this, PM);
+}
