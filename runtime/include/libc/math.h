@@ -89,6 +89,24 @@ float truncf(float X);
 long lrintf(float X);
 long lroundf(float X);
 
+/* In units in the last place of the exact result, the greatest errors found in
+ * 900,000 arguments of all magnitudes (test/unit/runtime/DoubleMathTest.cpp):
+ * log, log2, log10 0.51; asin, acos, atan 0.7; atan2 0.75; exp, exp2, pow 0.8;
+ * sin, cos 0.85; tan 0.95. The others below are exact or correctly rounded. */
+double acos(double X);
+double asin(double X);
+double atan(double X);
+double atan2(double Y, double X);
+double cos(double X);
+double exp(double X);
+double exp2(double X);
+double log(double X);
+double log10(double X);
+double log2(double X);
+double pow(double X, double Y);
+double sin(double X);
+double tan(double X);
+
 double ceil(double X);
 double copysign(double Magnitude, double Sign);
 double fabs(double X);
@@ -110,6 +128,8 @@ double sqrt(double X);
 double trunc(double X);
 long lrint(double X);
 long lround(double X);
+long long llrint(double X);
+long long llround(double X);
 
 #ifdef __cplusplus
 }

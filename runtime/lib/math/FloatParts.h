@@ -1,4 +1,4 @@
-//===- FloatParts.h - Bits of a float and pairs of floats -------*- C++ -*-===//
+//===- FloatParts.h - Bits of a float ---------------------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -7,6 +7,7 @@
 #ifndef TP_RUNTIME_LIB_MATH_FLOATPARTS_H
 #define TP_RUNTIME_LIB_MATH_FLOATPARTS_H
 
+#include "runtime/lib/math/PairArithmetic.h"
 #include "tp/math.h"
 #include <stdint.h>
 
@@ -38,64 +39,7 @@ inline float scale(float X, int Exponent) {
   return X * powerOfTwo(Exponent);
 }
 
-/// A number of about 48 significant bits: the sum of the two, of which Low is
-/// at most half a unit in High's last place.
-struct FloatPair {
-  float High;
-  float Low;
-};
-
-/// A + B exactly, for |A| >= |B|.
-inline FloatPair fastTwoSum(float A, float B) {
-  float Sum = A + B;
-  return {Sum, B - (Sum - A)};
-}
-
-/// A + B exactly (Knuth).
-inline FloatPair twoSum(float A, float B) {
-  float Sum = A + B;
-  float PartB = Sum - A;
-  return {Sum, (A - (Sum - PartB)) + (B - PartB)};
-}
-
-/// A * B exactly, if nothing overflows or is subnormal: products of halves of
-/// 12 bits (Dekker).
-inline FloatPair twoProduct(float A, float B) {
-  float HighA = floatFromBits(floatBits(A) & 0xFFFFF000u);
-  float HighB = floatFromBits(floatBits(B) & 0xFFFFF000u);
-  float LowA = A - HighA;
-  float LowB = B - HighB;
-  float Product = A * B;
-  float Error = HighA * HighB - Product;
-  Error += HighA * LowB;
-  Error += LowA * HighB;
-  Error += LowA * LowB;
-  return {Product, Error};
-}
-
-inline FloatPair multiply(FloatPair A, FloatPair B) {
-  FloatPair P = twoProduct(A.High, B.High);
-  return fastTwoSum(P.High, P.Low + (A.High * B.Low + A.Low * B.High));
-}
-
-inline FloatPair multiply(FloatPair A, float B) {
-  FloatPair P = twoProduct(A.High, B);
-  return fastTwoSum(P.High, P.Low + A.Low * B);
-}
-
-/// A + B for |A| >= |B|.
-inline FloatPair add(float A, FloatPair B) {
-  FloatPair S = fastTwoSum(A, B.High);
-  return fastTwoSum(S.High, S.Low + B.Low);
-}
-
-/// A / B.
-inline FloatPair divide(float A, FloatPair B) {
-  float Quotient = A / B.High;
-  FloatPair P = twoProduct(Quotient, B.High);
-  float Rest = ((A - P.High) - P.Low) - Quotient * B.Low;
-  return fastTwoSum(Quotient, Rest / B.High);
-}
+using FloatPair = Pair<float>;
 
 /// \p X times 2 to the \p Exponent taken apart so that the result is in
 /// [sqrt(1/2), sqrt(2)). \p Bits are those of a finite number above 0.

@@ -134,6 +134,12 @@ long TP_LIBCALL(lrint)(double X) {
 long TP_LIBCALL(lround)(double X) {
   return static_cast<long>(roundWhole(X, Direction::NearestAway));
 }
+long long TP_LIBCALL(llrint)(double X) {
+  return static_cast<long long>(roundWhole(X, Direction::NearestEven));
+}
+long long TP_LIBCALL(llround)(double X) {
+  return static_cast<long long>(roundWhole(X, Direction::NearestAway));
+}
 
 double TP_LIBCALL(fabs)(double X) { return fromBits(bits(X) & ~kSign); }
 double TP_LIBCALL(copysign)(double Magnitude, double Sign) {
