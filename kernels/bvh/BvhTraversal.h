@@ -5,7 +5,9 @@
 //===----------------------------------------------------------------------===//
 //
 // Written for an in-order processor whose loads take long but do not block: all
-// words of a node or triangle are asked for before the first is used.
+// words of a node or triangle are asked for before the first is used. The two
+// queries are functions of their own, so that their loops have all registers,
+// and everything in the loops is inlined.
 //
 //===----------------------------------------------------------------------===//
 
@@ -13,6 +15,7 @@
 #define TP_KERNELS_BVH_BVHTRAVERSAL_H
 
 #include "kernels/common/FloatMath.h"
+#include "kernels/common/Inline.h"
 #include "kernels/common/SceneLayout.h"
 
 namespace tp {
@@ -61,7 +64,7 @@ public:
     bool isHit(unsigned Child) const { return Enter[Child] <= Leave[Child]; }
   };
 
-  Distances test(const char *Node, float MaxDistance) const {
+  TP_KERNEL_INLINE Distances test(const char *Node, float MaxDistance) const {
     const Side NearXs = load(Node + NearX, 0);
     const Side FarXs = load(Node + FarX, 0);
     const Side NearYs = load(Node + NearY, 1);
@@ -105,7 +108,7 @@ private:
   struct Side {
     float Plane[kWideBvhWidth];
   };
-  static Side load(const char *Side, uint32_t Axis) {
+  TP_KERNEL_INLINE static Side load(const char *Side, uint32_t Axis) {
     const float *Planes =
         reinterpret_cast<const float *>(Side + boundsOffset(Axis));
     return {{Planes[0], Planes[1], Planes[2], Planes[3]}};
@@ -122,7 +125,8 @@ inline constexpr float kMissDistance = 3.0e38f;
 
 /// The distance at which \p R meets \p Triangle, or kMissDistance. Without
 /// branches, so that nothing delays a load until it is known to be needed.
-inline float intersectTriangle(const TriangleRecord &Triangle, const Ray &R) {
+TP_KERNEL_INLINE float intersectTriangle(const TriangleRecord &Triangle,
+                                         const Ray &R) {
   const PlaneEquation Plane = Triangle.Plane;
   const PlaneEquation URow = Triangle.U;
   const PlaneEquation VRow = Triangle.V;
@@ -151,15 +155,30 @@ struct WideChildren {
 /// Nodes and leaves that wait to be visited.
 class TraversalStack {
 public:
-  bool isEmpty() const { return Top == Entries; }
-  void push(BvhReference Reference, float Enter) {
+  struct Entry {
+    BvhReference Reference;
+    float Enter;
+  };
+  /// Each node on the way leaves all but one of its children here.
+  static constexpr uint32_t Capacity = kMaxBvhDepth * (kWideBvhWidth - 1) + 1;
+
+  /// Room for Capacity entries. It is not a member, so that the compiler can
+  /// keep the members in registers.
+  explicit TraversalStack(Entry *Entries) : Bottom(Entries), Top(Entries) {}
+
+  TP_KERNEL_INLINE void push(BvhReference Reference, float Enter) {
     *Top++ = {Reference, Enter};
+  }
+  /// Pushes without a branch that the load of \p Reference could sink behind.
+  TP_KERNEL_INLINE void pushIf(bool Condition, BvhReference Reference) {
+    Top->Reference = Reference;
+    Top += Condition;
   }
   /// The youngest entry that begins before \p MaxDistance; false if there is
   /// none.
-  bool popNearer(float MaxDistance, BvhReference &Reference) {
+  TP_KERNEL_INLINE bool popNearer(float MaxDistance, BvhReference &Reference) {
     do {
-      if (isEmpty())
+      if (Top == Bottom)
         return false;
       --Top;
     } while (Top->Enter > MaxDistance);
@@ -167,31 +186,28 @@ public:
     return true;
   }
   /// The youngest entry; false if there is none.
-  bool pop(BvhReference &Reference) {
-    if (isEmpty())
+  TP_KERNEL_INLINE bool pop(BvhReference &Reference) {
+    if (Top == Bottom)
       return false;
     Reference = (--Top)->Reference;
     return true;
   }
 
 private:
-  struct Entry {
-    BvhReference Reference;
-    float Enter;
-  };
-  // Each node on the way leaves all but one of its children here.
-  Entry Entries[kMaxBvhDepth * (kWideBvhWidth - 1) + 1];
-  Entry *Top = Entries;
+  Entry *const Bottom;
+  Entry *Top;
 };
 
 /// Pushes the children that the ray hits but for the nearest, which becomes
 /// \p Reference; false if it hits none.
-inline bool descendToNearest(const RayBoxTester::Distances &D,
-                             const BvhReference *Children,
-                             TraversalStack &Stack, BvhReference &Reference) {
-  BvhReference Nearest = 0;
-  float NearestEnter = kMissDistance;
-  for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+TP_KERNEL_INLINE bool descendToNearest(const RayBoxTester::Distances &D,
+                                       const BvhReference *Children,
+                                       TraversalStack &Stack,
+                                       BvhReference &Reference) {
+  // Set even without a hit, lest its load waits for the decision.
+  BvhReference Nearest = Children[0];
+  float NearestEnter = D.isHit(0) ? D.Enter[0] : kMissDistance;
+  for (unsigned Child = 1; Child != kWideBvhWidth; ++Child) {
     if (!D.isHit(Child))
       continue;
     if (D.Enter[Child] < NearestEnter) {
@@ -208,8 +224,9 @@ inline bool descendToNearest(const RayBoxTester::Distances &D,
 }
 
 /// Replaces \p Found by the nearest hit in a leaf that is nearer.
-inline void intersectLeaf(const TriangleRecord *Triangles, BvhReference Leaf,
-                          const Ray &R, Hit &Found) {
+TP_KERNEL_INLINE void intersectLeaf(const TriangleRecord *Triangles,
+                                    BvhReference Leaf, const Ray &R,
+                                    Hit &Found) {
   uint32_t Triangle = leafFirst(Leaf);
   const TriangleRecord *Record = Triangles + Triangle;
   uint32_t Left = leafCount(Leaf);
@@ -225,12 +242,14 @@ inline void intersectLeaf(const TriangleRecord *Triangles, BvhReference Leaf,
 }
 
 /// The first triangle that \p R meets before \p MaxDistance.
-inline Hit findClosestHit(const SceneView &Scene, BvhReference Root, Ray R,
-                          float MaxDistance) {
+[[gnu::noinline]] inline Hit findClosestHit(const SceneView &Scene,
+                                            BvhReference Root, Ray R,
+                                            float MaxDistance) {
   const char *const Nodes = Scene.Nodes;
   const TriangleRecord *const Triangles = Scene.Triangles;
   const RayBoxTester Boxes(R);
-  TraversalStack Stack;
+  TraversalStack::Entry Entries[TraversalStack::Capacity];
+  TraversalStack Stack(Entries);
   Hit Found{MaxDistance, kNoTriangle};
   BvhReference Reference = Root;
   for (;;) {
@@ -250,12 +269,13 @@ inline Hit findClosestHit(const SceneView &Scene, BvhReference Root, Ray R,
 
 /// Whether \p R meets any triangle before \p MaxDistance. Takes the children of
 /// a node in the order of memory: sorting would cost more than it saves.
-inline bool isBlocked(const SceneView &Scene, BvhReference Root, Ray R,
-                      float MaxDistance) {
+[[gnu::noinline]] inline bool
+isBlocked(const SceneView &Scene, BvhReference Root, Ray R, float MaxDistance) {
   const char *const Nodes = Scene.Nodes;
   const TriangleRecord *const Triangles = Scene.Triangles;
   const RayBoxTester Boxes(R);
-  TraversalStack Stack;
+  TraversalStack::Entry Entries[TraversalStack::Capacity];
+  TraversalStack Stack(Entries);
   BvhReference Reference = Root;
   do {
     if (!isLeaf(Reference)) {
@@ -263,8 +283,7 @@ inline bool isBlocked(const SceneView &Scene, BvhReference Root, Ray R,
       const WideChildren Children(Node);
       const RayBoxTester::Distances D = Boxes.test(Node, MaxDistance);
       for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
-        if (D.isHit(Child))
-          Stack.push(Children.References[Child], 0.0f);
+        Stack.pushIf(D.isHit(Child), Children.References[Child]);
     } else {
       Hit Found{MaxDistance, kNoTriangle};
       intersectLeaf(Triangles, Reference, R, Found);

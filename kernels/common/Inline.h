@@ -1,0 +1,15 @@
+//===- Inline.h - Functions that must be inlined ----------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_COMMON_INLINE_H
+#define TP_KERNELS_COMMON_INLINE_H
+
+/// For functions in a kernel's inner loops: inlined whatever the compiler
+/// thinks of their size, because a call would move their operands through
+/// memory.
+#define TP_KERNEL_INLINE [[gnu::always_inline]] inline
+
+#endif // TP_KERNELS_COMMON_INLINE_H
