@@ -36,6 +36,14 @@ inline float flushSubnormal(float Value) {
   return std::fabs(Value) < SmallestNormal ? std::copysign(0.0f, Value) : Value;
 }
 
+/// The canonical NaN for any NaN. In integers: the compiler may give any NaN
+/// for a float expression that is one.
+inline float canonicalized(float Value) {
+  uint32_t Bits = toBits(Value);
+  bool IsNaN = (Bits & ~FloatSignBit) > 0x7F800000;
+  return fromBits<float>(IsNaN ? CanonicalNaN : Bits);
+}
+
 /// What happens to the operands and results of arithmetic, conversion and
 /// compare instructions; \p FlushToZero is the chip's option.
 template <bool FlushToZero> struct FloatRules {
@@ -45,7 +53,7 @@ template <bool FlushToZero> struct FloatRules {
   static float result(float Value) {
     if constexpr (FlushToZero)
       Value = flushSubnormal(Value);
-    return Value != Value ? std::bit_cast<float>(CanonicalNaN) : Value;
+    return canonicalized(Value);
   }
 };
 

@@ -54,6 +54,8 @@ public:
     return *this;
   }
 
+  /// The same with the operands as a list.
+  Assembly &add(std::string_view Mnemonic, std::vector<Operand> Operands);
   Assembly &label(const std::string &Name);
   /// A word as it is.
   Assembly &word(uint32_t Word);
@@ -72,8 +74,6 @@ private:
     std::vector<Operand> Operands;
     uint32_t Word = 0;
   };
-
-  Assembly &add(std::string_view Mnemonic, std::vector<Operand> Operands);
 
   std::vector<Line> Lines;
   std::map<std::string, uint32_t> Labels;
