@@ -121,7 +121,7 @@ private:
 };
 
 /// What intersectTriangle() returns for a miss: beyond every distance.
-inline constexpr float kMissDistance = 3.0e38f;
+inline constexpr float kMissDistance = 0x1p127f;
 
 /// The distance at which \p R meets \p Triangle, or kMissDistance. Without
 /// branches, so that nothing delays a load until it is known to be needed.
@@ -142,12 +142,16 @@ TP_KERNEL_INLINE float intersectTriangle(const TriangleRecord &Triangle,
   return IsHit ? Distance : kMissDistance;
 }
 
-/// A node's references, loaded together with its boxes.
+/// A node's references.
 struct WideChildren {
-  explicit WideChildren(const char *Node) {
+  TP_KERNEL_INLINE explicit WideChildren(const char *Node) {
     const auto *Wide = reinterpret_cast<const WideBvhNode *>(Node);
     for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
       References[Child] = Wide->Child[Child];
+    // Some are used on some paths only: keeps the compiler from delaying their
+    // loads until then.
+    for (BvhReference &Reference : References)
+      asm volatile("" : "+r"(Reference));
   }
   BvhReference References[kWideBvhWidth];
 };
@@ -262,8 +266,9 @@ TP_KERNEL_INLINE void intersectLeaf(const TriangleRecord *Triangles,
     } else {
       intersectLeaf(Triangles, Reference, R, Found);
     }
+    // Not `Found` itself, which would then live in the caller's memory.
     if (!Stack.popNearer(Found.Distance, Reference))
-      return Found;
+      return {Found.Distance, Found.Triangle};
   }
 }
 
