@@ -10,8 +10,8 @@
 namespace tp {
 
 float rsqrt(float X) {
-  return static_cast<float>(
-      1.0 / __builtin_elementwise_sqrt(static_cast<double>(X)));
+  return static_cast<float>(1.0 /
+                            __builtin_elementwise_sqrt(static_cast<double>(X)));
 }
 
 float rcp(float X) { return 1.0f / X; }

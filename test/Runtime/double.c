@@ -1,5 +1,6 @@
 /* Software doubles on the chip against the host's, by their bits. */
-/* RUN: %host_cc -w -O1 -ffp-contract=off %s -o %t.host -lm && %t.host > %t.expected */
+/* RUN: %host_cc -w -O1 -ffp-contract=off %s -o %t.host -lm && %t.host >
+ * %t.expected */
 /* RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out */
 /* RUN: diff %t.expected %t.out */
 /* RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out */
@@ -10,12 +11,28 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double Values[] = {0.0,     -0.0,    4.9e-324, 2.3e-308, 1e-310,
-                                0.1,     0.5,     1.0,      -1.0,     1.5,
-                                3.0,     -2.7,    1e10,     123456789.125,
-                                4503599627370496.5, 9007199254740993.0, -1e15,
-                                1e300,   1.7976931348623157e308, 1.0 / 0.0,
-                                -1.0 / 0.0, 0.0 / 0.0};
+static const double Values[] = {0.0,
+                                -0.0,
+                                4.9e-324,
+                                2.3e-308,
+                                1e-310,
+                                0.1,
+                                0.5,
+                                1.0,
+                                -1.0,
+                                1.5,
+                                3.0,
+                                -2.7,
+                                1e10,
+                                123456789.125,
+                                4503599627370496.5,
+                                9007199254740993.0,
+                                -1e15,
+                                1e300,
+                                1.7976931348623157e308,
+                                1.0 / 0.0,
+                                -1.0 / 0.0,
+                                0.0 / 0.0};
 
 static unsigned long long bits(double Value) {
   uint64_t Bits;
@@ -40,8 +57,8 @@ int main(void) {
     for (int J = 0; J < Count; ++J) {
       volatile double B = Values[J];
       printf("%llx %llx: %llx %llx %llx %llx %d%d%d%d%d%d\n", bits(A), bits(B),
-             bits(A + B), bits(A - B), bits(A * B), bits(A / B), A < B, A <= B,
-             A > B, A >= B, A == B, A != B);
+             bits(A + B), bits(A - B), bits(A * B), bits(A / B),
+             A<B, A <= B, A> B, A >= B, A == B, A != B);
     }
     printf("%x %llx\n", floatBits((float)A), bits((double)(float)A));
     if (fabs(A) < 2e9)

@@ -9,10 +9,10 @@
 #include <stdio.h>
 
 static const uint64_t Values[] = {
-    0,          1,           2,           3,
-    10,         0x7fffffff,  0x80000000,  0xffffffff,
-    1ull << 32, 0x123456789, 1ull << 62,  0x7fffffffffffffff,
-    1ull << 63, ~0ull - 1,   ~0ull,       0xfedcba9876543210,
+    0,          1,           2,          3,
+    10,         0x7fffffff,  0x80000000, 0xffffffff,
+    1ull << 32, 0x123456789, 1ull << 62, 0x7fffffffffffffff,
+    1ull << 63, ~0ull - 1,   ~0ull,      0xfedcba9876543210,
 };
 
 int main(void) {

@@ -59,8 +59,8 @@ int main(void) {
   for (int I = 0; I < 200; ++I)
     printf("%d ", Numbers[I]);
   int Key = Numbers[77];
-  printf("\n%d\n", *(int *)bsearch(&Key, Numbers, 200, sizeof(int),
-                                   compareInts) == Key);
+  printf("\n%d\n",
+         *(int *)bsearch(&Key, Numbers, 200, sizeof(int), compareInts) == Key);
   char *End;
   printf("%d %ld %d\n", atoi(" -42x"), strtol("0x1F!", &End, 0), *End);
   printf("%lld %llu\n", strtoll("-9223372036854775808", NULL, 10),

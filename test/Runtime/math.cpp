@@ -1,10 +1,13 @@
 // tp/math.h computes the same bits on the chip as on the host.
-// RUN: %host_cxx -std=c++20 -O2 -ffp-contract=off -I %source_dir -I %source_dir/runtime/include %s %source_dir/runtime/lib/math/Exponential.cpp %source_dir/runtime/lib/math/InverseTrigonometric.cpp %source_dir/runtime/lib/math/Rounding.cpp %source_dir/runtime/lib/math/Trigonometric.cpp %source_dir/runtime/host/Math.cpp -o %t.host
-// RUN: %t.host > %t.expected
-// RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out
-// RUN: diff %t.expected %t.out
-// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out
-// RUN: diff %t.expected %t0.out
+// RUN: %host_cxx -std=c++20 -O2 -ffp-contract=off -I %source_dir -I
+// %source_dir/runtime/include %s %source_dir/runtime/lib/math/Exponential.cpp
+// %source_dir/runtime/lib/math/InverseTrigonometric.cpp
+// %source_dir/runtime/lib/math/Rounding.cpp
+// %source_dir/runtime/lib/math/Trigonometric.cpp
+// %source_dir/runtime/host/Math.cpp -o %t.host RUN: %t.host > %t.expected RUN:
+// tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out RUN: diff
+// %t.expected %t.out RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet
+// %t0.elf > %t0.out RUN: diff %t.expected %t0.out
 
 #include <stdint.h>
 #include <stdio.h>
@@ -16,15 +19,27 @@ static unsigned bits(float X) {
 
 int main() {
   using Function = float (*)(float);
-  const Function Functions[] = {
-      tp::sin,   tp::cos,   tp::tan,  tp::asin,  tp::acos, tp::atan,
-      tp::exp,   tp::exp2,  tp::log,  tp::log2,  tp::log10, tp::floor,
-      tp::ceil,  tp::trunc, tp::round, tp::rint,
-      [](float X) { return tp::sqrt(X); },
-      [](float X) { return tp::rsqrt(X); },
-      [](float X) { return tp::rcp(X); },
-      [](float X) { return tp::fastSin(X); },
-      [](float X) { return tp::fastCos(X); }};
+  const Function Functions[] = {tp::sin,
+                                tp::cos,
+                                tp::tan,
+                                tp::asin,
+                                tp::acos,
+                                tp::atan,
+                                tp::exp,
+                                tp::exp2,
+                                tp::log,
+                                tp::log2,
+                                tp::log10,
+                                tp::floor,
+                                tp::ceil,
+                                tp::trunc,
+                                tp::round,
+                                tp::rint,
+                                [](float X) { return tp::sqrt(X); },
+                                [](float X) { return tp::rsqrt(X); },
+                                [](float X) { return tp::rcp(X); },
+                                [](float X) { return tp::fastSin(X); },
+                                [](float X) { return tp::fastCos(X); }};
   const uint32_t Edges[] = {0x00000000, 0x00000001, 0x007FFFFF, 0x00800000,
                             0x3F000000, 0x3F7FFFFF, 0x3F800000, 0x3F800001,
                             0x4B000000, 0x4F000000, 0x7F7FFFFF, 0x7F800000,

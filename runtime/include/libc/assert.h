@@ -17,9 +17,9 @@
 #ifdef __cplusplus
 extern "C"
 #endif
-/* Writes a message and ends the program as abort() does. */
-void __tp_assert_fail(const char *Condition, const char *File, int Line,
-                      const char *Function) __attribute__((noreturn));
+    /* Writes a message and ends the program as abort() does. */
+    void __tp_assert_fail(const char *Condition, const char *File, int Line,
+                          const char *Function) __attribute__((noreturn));
 
 #if !defined(__cplusplus) && !defined(static_assert) &&                        \
     (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 202311L)

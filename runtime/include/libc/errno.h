@@ -13,7 +13,7 @@
 #ifdef __cplusplus
 extern "C"
 #endif
-int *__tp_errno_location(void);
+    int *__tp_errno_location(void);
 
 /* Each thread has its own. The math functions never set it. */
 #define errno (*__tp_errno_location())

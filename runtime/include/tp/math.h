@@ -56,13 +56,13 @@ float fmax(float A, float B);
 
 #endif
 
-/// Sine; 0.80 ulp, also for the largest arguments.
+/// Sine; 0.84 ulp, also for the largest arguments.
 float sin(float X);
-/// Cosine; 0.80 ulp, also for the largest arguments.
+/// Cosine; 0.83 ulp, also for the largest arguments.
 float cos(float X);
-/// Tangent; 1.60 ulp, also for the largest arguments.
+/// Tangent; 1.51 ulp, also for the largest arguments.
 float tan(float X);
-/// Arc sine; 0.65 ulp.
+/// Arc sine; 0.66 ulp.
 float asin(float X);
 /// Arc cosine; 0.65 ulp.
 float acos(float X);
@@ -71,7 +71,7 @@ float atan(float X);
 /// Angle of the point (\p X, \p Y) from the x axis, in (-pi, pi]; 0.70 ulp.
 float atan2(float Y, float X);
 
-/// e to the \p X; 0.80 ulp.
+/// e to the \p X; 0.81 ulp.
 float exp(float X);
 /// 2 to the \p X; 0.65 ulp, 0.80 ulp where the result is subnormal.
 float exp2(float X);

@@ -47,8 +47,8 @@ bool genericCompareExchange(size_t Bytes, void *Object, void *Expected,
                             int Failure) __asm__("__atomic_compare_exchange");
 bool isLockFree(size_t Bytes,
                 const void *Object) __asm__("__atomic_is_lock_free");
-uint64_t load8(const volatile uint64_t *Object, int Order) __asm__(
-    "__atomic_load_8");
+uint64_t load8(const volatile uint64_t *Object,
+               int Order) __asm__("__atomic_load_8");
 void store8(volatile uint64_t *Object, uint64_t Value,
             int Order) __asm__("__atomic_store_8");
 uint64_t exchange8(volatile uint64_t *Object, uint64_t Value,

@@ -44,8 +44,8 @@ uint64_t add(uint64_t A, uint64_t B) {
   Unpacked UA = unpack(MagnitudeA);
   Unpacked UB = unpack(MagnitudeB);
   uint64_t Larger = UA.Significand >> 1;
-  uint64_t Smaller = shiftRightSticky(UB.Significand >> 1,
-                                      UA.Exponent - UB.Exponent);
+  uint64_t Smaller =
+      shiftRightSticky(UB.Significand >> 1, UA.Exponent - UB.Exponent);
   uint64_t Sum = Differ ? Larger - Smaller : Larger + Smaller;
   if (Sum == 0)
     return 0;
@@ -99,8 +99,7 @@ uint64_t divideDoubles(uint64_t A, uint64_t B) {
     --Exponent;
   uint32_t QuotientHigh = divideDigit(Partial, UB.Significand);
   uint32_t QuotientLow = divideDigit(Partial, UB.Significand);
-  return pack(Sign, Exponent,
-              make(QuotientHigh, QuotientLow) | (Partial != 0));
+  return pack(Sign, Exponent, make(QuotientHigh, QuotientLow) | (Partial != 0));
 }
 
 /// Bit by bit: Root is the root of the bits of the radicand taken so far, Rest

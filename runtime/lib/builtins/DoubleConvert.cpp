@@ -55,8 +55,7 @@ inline Whole wholePart(float A) {
   if (Magnitude < uint32_t(kFloatBias) << 23 || Magnitude > 0x7F800000)
     return {false, 0};
   Unpacked U = unpackFloat(Magnitude);
-  return {(Bits >> 31) != 0,
-          wholePart(U.Exponent - kFloatBias, U.Significand)};
+  return {(Bits >> 31) != 0, wholePart(U.Exponent - kFloatBias, U.Significand)};
 }
 
 inline double toDouble(uint64_t Sign, uint64_t Magnitude) {
@@ -73,16 +72,14 @@ inline double toDouble(uint64_t Sign, uint32_t Magnitude) {
   int Shift = __builtin_clz(Magnitude);
   uint32_t Significand = Magnitude << Shift;
   uint32_t High = static_cast<uint32_t>(kBias + 30 - Shift) << 20;
-  return fromBits(Sign |
-                  make(High + (Significand >> 11), Significand << 21));
+  return fromBits(Sign | make(High + (Significand >> 11), Significand << 21));
 }
 
 inline float toFloat(uint32_t Sign, uint64_t Magnitude) {
   if (Magnitude == 0)
     return 0.0f;
   int Shift = leadingZeros(Magnitude);
-  return fromBits(
-      packFloat(Sign, kFloatBias + 63 - Shift, Magnitude << Shift));
+  return fromBits(packFloat(Sign, kFloatBias + 63 - Shift, Magnitude << Shift));
 }
 
 inline uint64_t magnitude(int64_t Value) {

@@ -28,13 +28,13 @@ inline constexpr int kFloatMaxExponent = 0xFF;
 inline uint64_t bits(double Value) {
   return __builtin_bit_cast(uint64_t, Value);
 }
-inline uint32_t bits(float Value) { return __builtin_bit_cast(uint32_t, Value); }
+inline uint32_t bits(float Value) {
+  return __builtin_bit_cast(uint32_t, Value);
+}
 inline double fromBits(uint64_t Bits) {
   return __builtin_bit_cast(double, Bits);
 }
-inline float fromBits(uint32_t Bits) {
-  return __builtin_bit_cast(float, Bits);
-}
+inline float fromBits(uint32_t Bits) { return __builtin_bit_cast(float, Bits); }
 
 /// A finite number that is not 0.
 struct Unpacked {
@@ -72,9 +72,8 @@ inline uint64_t pack(uint64_t Sign, int Exponent, uint64_t Significand) {
     Exponent = 1;
   }
   // The significand's leading 1, where there is one, counts the exponent up.
-  uint64_t Result =
-      wide::make(static_cast<uint32_t>(Exponent - 1) << 20, 0) +
-      (Significand >> 11);
+  uint64_t Result = wide::make(static_cast<uint32_t>(Exponent - 1) << 20, 0) +
+                    (Significand >> 11);
   uint32_t Rest = wide::low(Significand) & 0x7FF;
   if (Rest > 0x400 || (Rest == 0x400 && (Result & 1)))
     ++Result;
@@ -90,12 +89,11 @@ inline uint32_t packFloat(uint32_t Sign, int Exponent, uint64_t Significand) {
       wide::high(Significand) | (wide::low(Significand) != 0 ? 1 : 0);
   if (Exponent <= 0) {
     int Shift = 1 - Exponent;
-    Upper = Shift > 31 ? 1
-                       : Upper >> Shift | (Upper << (32 - Shift) != 0 ? 1 : 0);
+    Upper =
+        Shift > 31 ? 1 : Upper >> Shift | (Upper << (32 - Shift) != 0 ? 1 : 0);
     Exponent = 1;
   }
-  uint32_t Result =
-      (static_cast<uint32_t>(Exponent - 1) << 23) + (Upper >> 8);
+  uint32_t Result = (static_cast<uint32_t>(Exponent - 1) << 23) + (Upper >> 8);
   uint32_t Rest = Upper & 0xFF;
   if (Rest > 0x80 || (Rest == 0x80 && (Result & 1)))
     ++Result;

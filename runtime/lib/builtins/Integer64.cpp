@@ -45,8 +45,7 @@ inline uint64_t divide64(uint64_t A, uint64_t B, uint64_t &Remainder) {
   uint32_t Quotient = Estimate >> (31 - Shift);
   if (Quotient != 0)
     --Quotient;
-  uint64_t Product =
-      multiply(Quotient, low(B)) + make(Quotient * high(B), 0);
+  uint64_t Product = multiply(Quotient, low(B)) + make(Quotient * high(B), 0);
   uint64_t Rest = A - Product;
   if (Rest >= B) {
     ++Quotient;
@@ -80,8 +79,7 @@ uint64_t TP_LIBCALL(__umoddi3)(uint64_t A, uint64_t B) {
   return Remainder;
 }
 
-uint64_t TP_LIBCALL(__udivmoddi4)(uint64_t A, uint64_t B,
-                                  uint64_t *Remainder) {
+uint64_t TP_LIBCALL(__udivmoddi4)(uint64_t A, uint64_t B, uint64_t *Remainder) {
   uint64_t Rest;
   uint64_t Quotient = divide64(A, B, Rest);
   if (Remainder)
@@ -145,14 +143,13 @@ int64_t TP_LIBCALL(__ashrdi3)(int64_t Value, int Shift) {
   uint64_t V = static_cast<uint64_t>(Value);
   int32_t High = static_cast<int32_t>(high(V));
   if (Shift & 32)
-    return static_cast<int64_t>(make(static_cast<uint32_t>(High >> 31),
-                                     static_cast<uint32_t>(
-                                         High >> (Shift & 31))));
+    return static_cast<int64_t>(
+        make(static_cast<uint32_t>(High >> 31),
+             static_cast<uint32_t>(High >> (Shift & 31))));
   if (Shift == 0)
     return Value;
   return static_cast<int64_t>(make(static_cast<uint32_t>(High >> Shift),
-                                   low(V) >> Shift |
-                                       high(V) << (32 - Shift)));
+                                   low(V) >> Shift | high(V) << (32 - Shift)));
 }
 
 int TP_LIBCALL(__cmpdi2)(int64_t A, int64_t B) {

@@ -94,9 +94,9 @@ inline uint32_t divide(uint32_t High, uint32_t Low, uint32_t Divisor,
                        uint32_t &Remainder) {
   int Shift = __builtin_clz(Divisor);
   uint64_t Shifted = make(High, Low) << Shift;
-  uint32_t Quotient = divideNormalized(tp::wide::high(Shifted),
-                                       tp::wide::low(Shifted),
-                                       Divisor << Shift, Remainder);
+  uint32_t Quotient =
+      divideNormalized(tp::wide::high(Shifted), tp::wide::low(Shifted),
+                       Divisor << Shift, Remainder);
   Remainder >>= Shift;
   return Quotient;
 }
@@ -113,8 +113,8 @@ inline uint32_t divideDigit(uint64_t &Partial, uint64_t Divisor) {
     Rest = static_cast<uint64_t>(low(Partial)) + DivisorHigh;
   } else {
     uint32_t Remainder;
-    Digit = divideNormalized(high(Partial), low(Partial), DivisorHigh,
-                             Remainder);
+    Digit =
+        divideNormalized(high(Partial), low(Partial), DivisorHigh, Remainder);
     Rest = Remainder;
   }
   uint64_t Subtrahend = multiply(Digit, low(Divisor));

@@ -74,8 +74,7 @@ void __cxa_guard_release(uint64_t *Word) {
 }
 
 void __cxa_guard_abort(uint64_t *Word) {
-  tp::atomicStore(&reinterpret_cast<Guard *>(Word)->Busy, 0u,
-                  __ATOMIC_RELEASE);
+  tp::atomicStore(&reinterpret_cast<Guard *>(Word)->Busy, 0u, __ATOMIC_RELEASE);
 }
 
 [[noreturn]] void __cxa_pure_virtual() { fail("pure virtual function called"); }

@@ -22,18 +22,14 @@ int isdigit(int Character) { return within(Character, '0', '9'); }
 int islower(int Character) { return within(Character, 'a', 'z'); }
 int isupper(int Character) { return within(Character, 'A', 'Z'); }
 int isalpha(int Character) { return within(Character | 0x20, 'a', 'z'); }
-int isalnum(int Character) {
-  return isalpha(Character) || isdigit(Character);
-}
+int isalnum(int Character) { return isalpha(Character) || isdigit(Character); }
 int isblank(int Character) { return Character == ' ' || Character == '\t'; }
 int iscntrl(int Character) {
   return within(Character, '\0', '\x1f') || Character == 0x7f;
 }
 int isgraph(int Character) { return within(Character, '!', '~'); }
 int isprint(int Character) { return within(Character, ' ', '~'); }
-int ispunct(int Character) {
-  return isgraph(Character) && !isalnum(Character);
-}
+int ispunct(int Character) { return isgraph(Character) && !isalnum(Character); }
 int isspace(int Character) {
   return Character == ' ' || within(Character, '\t', '\r');
 }

@@ -81,9 +81,8 @@ void Formatter::text(const Conversion &C, const char *Text, int Bytes) {
 }
 
 /// Sign or prefix, zeros, digits, and the blanks around them.
-void Formatter::number(const Conversion &C, const char *Prefix,
-                       int PrefixBytes, int Zeros, const char *Digits,
-                       int Bytes) {
+void Formatter::number(const Conversion &C, const char *Prefix, int PrefixBytes,
+                       int Zeros, const char *Digits, int Bytes) {
   int Blanks = C.Width - PrefixBytes - Zeros - Bytes;
   if (!C.Left)
     fill(' ', Blanks);
@@ -291,8 +290,8 @@ void Formatter::real(const Conversion &C, double Value, char Specifier) {
   int PrefixBytes = signPrefix(C, Bits >> 63 != 0, Prefix);
   if ((Bits >> 52 & 0x7FF) == 0x7FF) {
     bool Infinite = Bits << 12 == 0;
-    const char *Name = Upper ? (Infinite ? "INF" : "NAN")
-                             : (Infinite ? "inf" : "nan");
+    const char *Name =
+        Upper ? (Infinite ? "INF" : "NAN") : (Infinite ? "inf" : "nan");
     number(C, Prefix, PrefixBytes, 0, Name, 3);
     return;
   }

@@ -78,8 +78,7 @@ template <typename T> T parseSigned(const char *Text, char **End, int Base) {
 template <typename T> T parseUnsigned(const char *Text, char **End, int Base) {
   constexpr uint64_t Limit = ~uint64_t(0) >> (64 - 8 * sizeof(T));
   ParsedInteger P = parseInteger(Text, End, Base, Limit, false);
-  return static_cast<T>(P.Negative && !P.Overflow ? -P.Magnitude
-                                                  : P.Magnitude);
+  return static_cast<T>(P.Negative && !P.Overflow ? -P.Magnitude : P.Magnitude);
 }
 
 void swapElements(char *A, char *B, size_t Bytes) {
@@ -144,8 +143,8 @@ void qsort(void *Elements, size_t Count, size_t Bytes,
       size_t Child = 2 * Parent + 1;
       if (Child >= End)
         break;
-      if (Child + 1 < End && Compare(Base + Child * Bytes,
-                                     Base + (Child + 1) * Bytes) < 0)
+      if (Child + 1 < End &&
+          Compare(Base + Child * Bytes, Base + (Child + 1) * Bytes) < 0)
         ++Child;
       if (Compare(Base + Parent * Bytes, Base + Child * Bytes) >= 0)
         break;

@@ -118,8 +118,7 @@ double TP_LIBCALL(exp)(double X) {
   DoublePair Rest = twoSum(High, -(Whole * Ln2Exact.Low));
   double R = Rest.High;
   DoublePair Sum = fastTwoSum(1.0, R);
-  double Result =
-      Sum.High + (Sum.Low + (Rest.Low + R * R * polynomial(R, P)));
+  double Result = Sum.High + (Sum.Low + (Rest.Low + R * R * polynomial(R, P)));
   return TP_LIBCALL(ldexp)(Result, static_cast<int>(Whole));
 }
 

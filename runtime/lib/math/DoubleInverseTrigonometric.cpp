@@ -22,10 +22,10 @@ constexpr DoublePair QuarterPi = {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
 /// asin(X) - X divided by X, for X^2 = \p Square <= 1/4; 2^-57.
 double asinTail(double Square) {
   static const double P[] = {
-      0x1.5555555555556p-3,  0x1.3333333332ecap-4, 0x1.6db6db6e31f13p-5,
-      0x1.f1c71c1db0623p-6,  0x1.6e8bb1c8209a2p-6, 0x1.1c4d35cf95421p-6,
-      0x1.c9cf07674736ap-7,  0x1.782651caa6547p-7, 0x1.52420b04b37bep-7,
-      0x1.65a9c4dfcf8b2p-8,  0x1.1d189408314eep-6, -0x1.e6aaa8a0a04ccp-7,
+      0x1.5555555555556p-3, 0x1.3333333332ecap-4, 0x1.6db6db6e31f13p-5,
+      0x1.f1c71c1db0623p-6, 0x1.6e8bb1c8209a2p-6, 0x1.1c4d35cf95421p-6,
+      0x1.c9cf07674736ap-7, 0x1.782651caa6547p-7, 0x1.52420b04b37bep-7,
+      0x1.65a9c4dfcf8b2p-8, 0x1.1d189408314eep-6, -0x1.e6aaa8a0a04ccp-7,
       0x1.d72b2bc8155f8p-6};
   return Square * polynomial(Square, P);
 }
@@ -46,8 +46,8 @@ DoublePair atanOf(DoublePair X) {
       -0x1.110e880a643d8p-4, 0x1.e19a13b800ab6p-5,  -0x1.ac7a937cce153p-5,
       0x1.74ddd3c6187b4p-5,  -0x1.1b33b8784aa69p-5, 0x1.0ad368c98424cp-6};
   double Square = X.High * X.High;
-  return {X.High, X.High * Square * polynomial(Square, P) +
-                      X.Low * (1.0 - Square)};
+  return {X.High,
+          X.High * Square * polynomial(Square, P) + X.Low * (1.0 - Square)};
 }
 
 /// atan(\p Y / \p X) for numbers above 0 at which no product overflows or is
@@ -129,8 +129,8 @@ double TP_LIBCALL(atan2)(double Y, double X) {
   if (MagnitudeX == 0 && MagnitudeY == 0)
     return withSign(Left ? Pi.High : 0.0, Y);
   // The axes and what is nearer to them than the result can show.
-  int Ratio = static_cast<int>(MagnitudeY >> 52) -
-              static_cast<int>(MagnitudeX >> 52);
+  int Ratio =
+      static_cast<int>(MagnitudeY >> 52) - static_cast<int>(MagnitudeX >> 52);
   if (MagnitudeX == 0 || MagnitudeY == kInfinity || Ratio > 56)
     return withSign(HalfPi.High, Y);
   if (Left && (MagnitudeY == 0 || MagnitudeX == kInfinity || Ratio < -56))

@@ -54,8 +54,8 @@ ReducedAngle reduce(double X) {
   wide::Product128 Middle = wide::multiply(Integer, twoOverPiBits(Start + 64));
   // The top two bits are the quadrant, the others the fraction of the next.
   uint64_t TurnsLow = Middle.Low + Low.High;
-  uint64_t TurnsHigh = Integer * twoOverPiBits(Start) + Middle.High +
-                       (TurnsLow < Low.High);
+  uint64_t TurnsHigh =
+      Integer * twoOverPiBits(Start) + Middle.High + (TurnsLow < Low.High);
   uint32_t Quadrant =
       static_cast<uint32_t>((TurnsHigh + (uint64_t(1) << 61)) >> 62);
   uint64_t FractionHigh = TurnsHigh << 2 | TurnsLow >> 62;
@@ -82,8 +82,8 @@ ReducedAngle reduce(double X) {
   }
   // pi/2 as a 64-bit integer has a weight of 2^-63.
   wide::Product128 Angle = wide::multiply(FractionHigh, 0xC90FDAA22168C234u);
-  double Unit = fromBits(
-      Sign | static_cast<uint64_t>(1023 - 63 + 11 - Shift) << 52);
+  double Unit =
+      fromBits(Sign | static_cast<uint64_t>(1023 - 63 + 11 - Shift) << 52);
   double RestHigh =
       static_cast<double>(static_cast<int64_t>(Angle.High >> 11)) * Unit;
   uint64_t Lower = (Angle.High & 0x7FF) << 42 | Angle.Low >> 22;
@@ -94,21 +94,20 @@ ReducedAngle reduce(double X) {
 
 /// sin(R) = R.High + the result, for |R| <= pi/4; 2^-57.
 double sineTail(DoublePair R) {
-  static const double P[] = {
-      -0x1.5555555555555p-3,  0x1.1111111111110p-7,  -0x1.a01a01a019938p-13,
-      0x1.71de3a546095bp-19,  -0x1.ae645412c55f8p-26, 0x1.61217f0b7f164p-33,
-      -0x1.ab17d4044cb77p-41};
+  static const double P[] = {-0x1.5555555555555p-3,  0x1.1111111111110p-7,
+                             -0x1.a01a01a019938p-13, 0x1.71de3a546095bp-19,
+                             -0x1.ae645412c55f8p-26, 0x1.61217f0b7f164p-33,
+                             -0x1.ab17d4044cb77p-41};
   double Square = R.High * R.High;
-  return R.High * Square * polynomial(Square, P) +
-         R.Low * (1.0 - 0.5 * Square);
+  return R.High * Square * polynomial(Square, P) + R.Low * (1.0 - 0.5 * Square);
 }
 
 /// cos(R) for |R| <= pi/4; 2^-60.
 DoublePair cosineOf(DoublePair R) {
-  static const double Q[] = {
-      0x1.5555555555555p-5,  -0x1.6c16c16c16c16p-10, 0x1.a01a01a019d0ap-16,
-      -0x1.27e4fb7712d65p-22, 0x1.1eed8deb97a8fp-29,  -0x1.9394ba0cd6119p-37,
-      0x1.ab785b0032d5ep-45};
+  static const double Q[] = {0x1.5555555555555p-5,  -0x1.6c16c16c16c16p-10,
+                             0x1.a01a01a019d0ap-16, -0x1.27e4fb7712d65p-22,
+                             0x1.1eed8deb97a8fp-29, -0x1.9394ba0cd6119p-37,
+                             0x1.ab785b0032d5ep-45};
   DoublePair Square = twoProduct(R.High, R.High);
   DoublePair Start = fastTwoSum(1.0, -0.5 * Square.High);
   double Rest = Square.High * Square.High * polynomial(Square.High, Q);
@@ -131,8 +130,8 @@ double TP_LIBCALL(sin)(double X) {
   if (magnitudeOf(X) < Tiny)
     return X;
   ReducedAngle A = reduce(X);
-  double Result = A.Quadrant & 1 ? cosineOf(A.Rest).High
-                                 : A.Rest.High + sineTail(A.Rest);
+  double Result =
+      A.Quadrant & 1 ? cosineOf(A.Rest).High : A.Rest.High + sineTail(A.Rest);
   return A.Quadrant & 2 ? -Result : Result;
 }
 
@@ -142,8 +141,8 @@ double TP_LIBCALL(cos)(double X) {
   if (magnitudeOf(X) < Tiny)
     return 1.0;
   ReducedAngle A = reduce(X);
-  double Result = A.Quadrant & 1 ? A.Rest.High + sineTail(A.Rest)
-                                 : cosineOf(A.Rest).High;
+  double Result =
+      A.Quadrant & 1 ? A.Rest.High + sineTail(A.Rest) : cosineOf(A.Rest).High;
   return (A.Quadrant + 1) & 2 ? -Result : Result;
 }
 

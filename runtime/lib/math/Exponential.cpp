@@ -32,7 +32,8 @@ float exponential2(FloatPair X) {
   P = 0x1.ebfbe0p-3f + Rest * P;
   FloatPair Linear = twoProduct(Rest, Ln2.High);
   FloatPair Sum = fastTwoSum(1.0f, Linear.High);
-  float Tail = Rest * Rest * P + (Linear.Low + (Fraction.Low * Ln2.High + Rest * Ln2.Low));
+  float Tail = Rest * Rest * P +
+               (Linear.Low + (Fraction.Low * Ln2.High + Rest * Ln2.Low));
   return scale(Sum.High + (Sum.Low + Tail), static_cast<int>(Whole));
 }
 
@@ -124,8 +125,7 @@ float log(float X) {
   float Whole = static_cast<float>(Exponent);
   FloatPair Sum = twoSum(Whole * Ln2Exact.High, Start.High);
   float Tail = S * (HalfSquare.High + R) - HalfSquare.Low;
-  return Sum.High +
-         (Sum.Low + (Start.Low + (Tail + Whole * Ln2Exact.Low)));
+  return Sum.High + (Sum.Low + (Start.Low + (Tail + Whole * Ln2Exact.Low)));
 }
 
 float log2(float X) {

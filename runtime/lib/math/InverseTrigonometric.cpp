@@ -121,8 +121,8 @@ float atan2(float Y, float X) {
   bool Left = (floatBits(X) & kFloatSign) != 0;
   if (MagnitudeX == kFloatInfinity && MagnitudeY == kFloatInfinity)
     return copysign(Left ? 0x1.2d97c8p+1f : QuarterPi.High, Y);
-  int Ratio = static_cast<int>(MagnitudeY >> 23) -
-              static_cast<int>(MagnitudeX >> 23);
+  int Ratio =
+      static_cast<int>(MagnitudeY >> 23) - static_cast<int>(MagnitudeX >> 23);
   if (MagnitudeX == 0 && MagnitudeY == 0)
     return copysign(Left ? Pi.High : 0.0f, Y);
   // The axes and what is nearer to them than the result can show.

@@ -65,8 +65,7 @@ double scaleBy(double X, int Exponent) {
     Exponent = 5000;
   if (Exponent < -5000)
     Exponent = -5000;
-  return fromBits(
-      pack(bits(X) & kSign, U.Exponent + Exponent, U.Significand));
+  return fromBits(pack(bits(X) & kSign, U.Exponent + Exponent, U.Significand));
 }
 
 double remainder(double X, double Y) {

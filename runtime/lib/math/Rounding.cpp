@@ -86,8 +86,8 @@ float fmod(float X, float Y) {
   uint32_t Lift = static_cast<uint32_t>(__builtin_clz(Rest)) - 8;
   if (Lift >= ExponentY)
     return floatFromBits(Sign | Rest << (ExponentY - 1));
-  return floatFromBits(Sign | (((ExponentY - Lift - 1) << 23) +
-                               (Rest << Lift)));
+  return floatFromBits(Sign |
+                       (((ExponentY - Lift - 1) << 23) + (Rest << Lift)));
 }
 
 float ldexp(float X, int Exponent) {

@@ -72,12 +72,12 @@ ReducedAngle reduce(float X) {
   Fraction <<= Shift;
   // pi/2 as a 32-bit integer has a weight of 2^-31.
   uint64_t Angle = (Fraction >> 32) * 0xC90FDAA2u;
-  float Unit = floatFromBits(
-      Sign | static_cast<uint32_t>(127 - 31 + 8 - Shift) << 23);
+  float Unit =
+      floatFromBits(Sign | static_cast<uint32_t>(127 - 31 + 8 - Shift) << 23);
   float RestHigh = static_cast<float>(static_cast<int32_t>(Angle >> 40)) * Unit;
-  float RestLow = static_cast<float>(
-                      static_cast<int32_t>(Angle >> 16 & 0x00FFFFFF)) *
-                  (Unit * 0x1p-24f);
+  float RestLow =
+      static_cast<float>(static_cast<int32_t>(Angle >> 16 & 0x00FFFFFF)) *
+      (Unit * 0x1p-24f);
   return {{RestHigh, RestLow}, Quadrant & 3};
 }
 

@@ -39,8 +39,8 @@ template <typename Check> void forArguments(Check CheckOne) {
     CheckOne(X);
     uint64_t Bits = std::bit_cast<uint64_t>(X);
     uint64_t Exponent = 1023 - 12 + (Bits >> 52 & 0x7FF) % 24;
-    CheckOne(std::bit_cast<double>((Bits & 0x800FFFFFFFFFFFFF) |
-                                   Exponent << 52));
+    CheckOne(
+        std::bit_cast<double>((Bits & 0x800FFFFFFFFFFFFF) | Exponent << 52));
     CheckOne(std::bit_cast<double>((Bits & 0x000FFFFFFFFFFFFF) |
                                    (1022 + (Exponent & 1)) << 52));
   }
@@ -87,9 +87,9 @@ TEST(DoubleMath, PowAndAtan2) {
                   Error < 1)
           << std::hexfloat << X << " " << Y << " " << Pow;
     double Angle = tpSoft_atan2(X, Y);
-    WorstAtan2 = std::max(
-        WorstAtan2,
-        ulpError(Angle, std::atan2((long double)X, (long double)Y)));
+    WorstAtan2 =
+        std::max(WorstAtan2,
+                 ulpError(Angle, std::atan2((long double)X, (long double)Y)));
     ASSERT_EQ(std::signbit(Angle) && Angle == 0,
               std::signbit(std::atan2(X, Y)) && Angle == 0);
   };
@@ -126,14 +126,13 @@ TEST(DoubleMath, ExactFunctions) {
       ASSERT_TRUE(Same(tpSoft_fmin(X, Y), std::fmin(X, Y))) << X << " " << Y;
       ASSERT_TRUE(Same(tpSoft_fmax(X, Y), std::fmax(X, Y))) << X << " " << Y;
     }
-    ASSERT_TRUE(Same(tpSoft_frexp(X, &OurExponent),
-                     std::frexp(X, &HostExponent)));
+    ASSERT_TRUE(
+        Same(tpSoft_frexp(X, &OurExponent), std::frexp(X, &HostExponent)));
     if (std::isfinite(X))
       ASSERT_EQ(OurExponent, HostExponent);
     ASSERT_TRUE(Same(tpSoft_modf(X, &OurWhole), std::modf(X, &HostWhole)));
     ASSERT_TRUE(Same(OurWhole, HostWhole));
-    int Exponent =
-        static_cast<int>(std::bit_cast<uint64_t>(Y) % 4400) - 2200;
+    int Exponent = static_cast<int>(std::bit_cast<uint64_t>(Y) % 4400) - 2200;
     ASSERT_TRUE(Same(tpSoft_ldexp(X, Exponent), std::ldexp(X, Exponent)))
         << X << " " << Exponent;
   };

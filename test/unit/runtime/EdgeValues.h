@@ -23,9 +23,9 @@ inline std::vector<uint64_t> edgeIntegers() {
       Values.push_back(Value);
       Values.push_back(-Value);
     }
-  for (uint64_t Value : {0xFFFFFFFF00000000ull, 0xFFFFFFFEFFFFFFFFull,
-                         0x8000000080000000ull, 0x123456789ABCDEF0ull,
-                         0x00000001FFFFFFFFull, 0x80000000FFFFFFFFull})
+  for (uint64_t Value :
+       {0xFFFFFFFF00000000ull, 0xFFFFFFFEFFFFFFFFull, 0x8000000080000000ull,
+        0x123456789ABCDEF0ull, 0x00000001FFFFFFFFull, 0x80000000FFFFFFFFull})
     Values.push_back(Value);
   return Values;
 }
@@ -76,8 +76,8 @@ public:
       int64_t Exponent = static_cast<int64_t>(OtherBits >> 52 & 0x7FF) +
                          static_cast<int64_t>(Generator() % 121) - 60;
       Exponent = Exponent < 0 ? 0 : Exponent > 0x7FE ? 0x7FE : Exponent;
-      Pattern = (Pattern & 0x800FFFFFFFFFFFFF) |
-                static_cast<uint64_t>(Exponent) << 52;
+      Pattern = (Pattern & 0x800FFFFFFFFFFFFF) | static_cast<uint64_t>(Exponent)
+                                                     << 52;
     }
     if (Pattern & 2)
       Pattern &= ~uint64_t(0) << (Generator() % 53);

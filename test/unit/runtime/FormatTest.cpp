@@ -46,8 +46,8 @@ template <typename... T> void check(const std::string &Format, T... Values) {
       << Format;
 }
 
-const char *const Flags[] = {"", "-", "+", " ", "#", "0", "-+", "+0", "#0",
-                             "-#", " 0", "+#0"};
+const char *const Flags[] = {"",   "-",  "+",  " ",  "#",  "0",
+                             "-+", "+0", "#0", "-#", " 0", "+#0"};
 const char *const Widths[] = {"", "1", "7", "25"};
 
 TEST(Format, Integers) {
