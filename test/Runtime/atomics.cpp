@@ -1,7 +1,7 @@
 // Atomic operations of 128 threads on shared words of every width.
 // RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 4x32 --quiet %t.elf | FileCheck %s
-// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 4x32 --quiet %t0.elf | FileCheck
-// %s
+// RUN: tpcc -O0 %s -o %t0.elf
+// RUN: tpsim --chip 4x32 --quiet %t0.elf | FileCheck %s
 
 // CHECK: sum 8128 min -127 max 127 or ffffffff and 0 xor 0
 // CHECK-NEXT: compare-exchange 128, exchange sum 8128

@@ -1,8 +1,8 @@
 // Static constructors run once, before any thread's main and in order; static
 // destructors and atexit functions run once, after every thread's main.
 // RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 4x32 --quiet %t.elf | FileCheck %s
-// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf | FileCheck
-// %s
+// RUN: tpcc -O0 %s -o %t0.elf
+// RUN: tpsim --chip 1x1 --quiet %t0.elf | FileCheck %s
 
 // CHECK: {{^}}first made
 // CHECK-NEXT: second made

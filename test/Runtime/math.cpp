@@ -1,13 +1,16 @@
 // tp/math.h computes the same bits on the chip as on the host.
-// RUN: %host_cxx -std=c++20 -O2 -ffp-contract=off -I %source_dir -I
-// %source_dir/runtime/include %s %source_dir/runtime/lib/math/Exponential.cpp
-// %source_dir/runtime/lib/math/InverseTrigonometric.cpp
-// %source_dir/runtime/lib/math/Rounding.cpp
-// %source_dir/runtime/lib/math/Trigonometric.cpp
-// %source_dir/runtime/host/Math.cpp -o %t.host RUN: %t.host > %t.expected RUN:
-// tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out RUN: diff
-// %t.expected %t.out RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet
-// %t0.elf > %t0.out RUN: diff %t.expected %t0.out
+// RUN: %host_cxx -std=c++20 -O2 -ffp-contract=off \
+// RUN:   -I %source_dir -I %source_dir/runtime/include %s \
+// RUN:   %source_dir/runtime/lib/math/Exponential.cpp \
+// RUN:   %source_dir/runtime/lib/math/InverseTrigonometric.cpp \
+// RUN:   %source_dir/runtime/lib/math/Rounding.cpp \
+// RUN:   %source_dir/runtime/lib/math/Trigonometric.cpp \
+// RUN:   %source_dir/runtime/host/Math.cpp -o %t.host
+// RUN: %t.host > %t.expected
+// RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out
+// RUN: diff %t.expected %t.out
+// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out
+// RUN: diff %t.expected %t0.out
 
 #include <stdint.h>
 #include <stdio.h>

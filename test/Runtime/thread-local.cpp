@@ -1,8 +1,8 @@
 // Every thread has its own copy of thread_local objects: initialised data,
 // zeroed data, and objects with constructors and destructors.
 // RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 4x32 --quiet %t.elf | FileCheck %s
-// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 4x32 --quiet %t0.elf | FileCheck
-// %s
+// RUN: tpcc -O0 %s -o %t0.elf
+// RUN: tpsim --chip 4x32 --quiet %t0.elf | FileCheck %s
 
 // CHECK: 128 threads, 128 made, 0 wrong
 // CHECK-NEXT: 128 ended
