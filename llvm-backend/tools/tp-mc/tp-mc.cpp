@@ -164,6 +164,7 @@ int main(int argc, char **argv) {
   Options.AsmVerbose = true;
   Options.ShowMCEncoding = ShowEncoding;
   tp::MachineCode Code(&Sources, Options);
+  Code.Syntax->setPreserveAsmComments(false);
   std::unique_ptr<MCStreamer> Streamer = createStreamer(Code, *Stream);
   bool Good = Disassemble ? disassemble(Sources, Code, *Streamer)
                           : assemble(Sources, Code, *Streamer);
