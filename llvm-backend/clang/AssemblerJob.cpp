@@ -1,0 +1,179 @@
+//===- AssemblerJob.cpp - One run of the assembler ------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/clang/AssemblerJob.h"
+#include "clang/Basic/DiagnosticDriver.h"
+#include "clang/Basic/DiagnosticFrontend.h"
+#include "clang/Options/OptionUtils.h"
+#include "clang/Options/Options.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/clang/FrontendJob.h"
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/MC/MCAsmBackend.h"
+#include "llvm/MC/MCAsmInfo.h"
+#include "llvm/MC/MCCodeEmitter.h"
+#include "llvm/MC/MCContext.h"
+#include "llvm/MC/MCInstrInfo.h"
+#include "llvm/MC/MCObjectFileInfo.h"
+#include "llvm/MC/MCObjectWriter.h"
+#include "llvm/MC/MCParser/MCAsmParser.h"
+#include "llvm/MC/MCParser/MCTargetAsmParser.h"
+#include "llvm/MC/MCRegisterInfo.h"
+#include "llvm/MC/MCStreamer.h"
+#include "llvm/MC/MCSubtargetInfo.h"
+#include "llvm/MC/MCTargetOptions.h"
+#include "llvm/MC/TargetRegistry.h"
+#include "llvm/Option/ArgList.h"
+#include "llvm/Option/OptTable.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/MemoryBuffer.h"
+#include "llvm/Support/SourceMgr.h"
+#include "llvm/Support/ToolOutputFile.h"
+
+using namespace clang;
+using namespace clang::options;
+using namespace llvm;
+using namespace llvm::opt;
+
+namespace tp {
+
+static bool reportBadArguments(const InputArgList &Arguments,
+                               unsigned MissingIndex, unsigned MissingCount,
+                               DiagnosticsEngine &Diags) {
+  if (MissingCount)
+    Diags.Report(diag::err_drv_missing_argument)
+        << Arguments.getArgString(MissingIndex) << MissingCount;
+  for (const Arg *Unknown : Arguments.filtered(OPT_UNKNOWN))
+    Diags.Report(diag::err_drv_unknown_argument)
+        << Unknown->getAsString(Arguments);
+  return Diags.hasErrorOccurred();
+}
+
+static void setDebugOptions(MCContext &Context, const InputArgList &Arguments,
+                            StringRef InputName, StringRef InputText,
+                            DiagnosticsEngine &Diags) {
+  Context.setDwarfVersion(
+      clang::getLastArgIntValue(Arguments, OPT_dwarf_version_EQ, 5, Diags));
+  if (const Arg *Folder = Arguments.getLastArg(OPT_ffile_compilation_dir_EQ,
+                                               OPT_fdebug_compilation_dir_EQ))
+    Context.setCompilationDir(Folder->getValue());
+  for (StringRef Map : Arguments.getAllArgValues(OPT_fdebug_prefix_map_EQ)) {
+    auto [From, To] = Map.split('=');
+    Context.addDebugPrefixMapEntry(From.str(), To.str());
+  }
+  if (const Arg *Name = Arguments.getLastArg(OPT_main_file_name))
+    Context.setMainFileName(Name->getValue());
+  if (const Arg *Producer = Arguments.getLastArg(OPT_dwarf_debug_producer))
+    Context.setDwarfDebugProducer(Producer->getValue());
+  if (Arguments.hasArg(OPT_debug_info_kind_EQ)) {
+    Context.setGenDwarfForAssembly(true);
+    Context.setGenDwarfRootFile(InputName, InputText);
+  }
+}
+
+static bool defineSymbols(MCContext &Context, MCStreamer &Streamer,
+                          const InputArgList &Arguments,
+                          DiagnosticsEngine &Diags) {
+  for (StringRef Definition : Arguments.getAllArgValues(OPT_defsym)) {
+    auto [Name, Text] = Definition.split('=');
+    int64_t Value;
+    if (Text.getAsInteger(0, Value)) {
+      Diags.Report(diag::err_drv_defsym_invalid_symval) << Text;
+      return false;
+    }
+    Context.setSymbolValue(Streamer, Name, Value);
+  }
+  return true;
+}
+
+bool runAssembler(ArrayRef<const char *> CommandLine,
+                  DiagnosticsEngine &Diags) {
+  unsigned MissingIndex, MissingCount;
+  InputArgList Arguments = getDriverOptTable().ParseArgs(
+      CommandLine, MissingIndex, MissingCount, opt::Visibility(CC1AsOption));
+  if (reportBadArguments(Arguments, MissingIndex, MissingCount, Diags))
+    return false;
+  setBackendOptions(Arguments.getAllArgValues(OPT_mllvm));
+
+  Triple TargetTriple(Arguments.getLastArgValue(OPT_triple, TPTriple));
+  std::string LookupError;
+  const Target *TheTarget =
+      TargetRegistry::lookupTarget(TargetTriple, LookupError);
+  if (!TheTarget) {
+    Diags.Report(diag::err_target_unknown_triple) << TargetTriple.str();
+    return false;
+  }
+
+  std::string InputName = Arguments.getLastArgValue(OPT_INPUT, "-").str();
+  ErrorOr<std::unique_ptr<MemoryBuffer>> Input =
+      MemoryBuffer::getFileOrSTDIN(InputName, /*IsText=*/true);
+  if (std::error_code Failure = Input.getError()) {
+    Diags.Report(diag::err_fe_error_reading) << InputName << Failure.message();
+    return false;
+  }
+  SourceMgr Sources;
+  StringRef InputText = (*Input)->getBuffer();
+  Sources.AddNewSourceBuffer(std::move(*Input), SMLoc());
+  Sources.setIncludeDirs(Arguments.getAllArgValues(OPT_I));
+
+  MCTargetOptions Options;
+  Options.AsmVerbose = true;
+  Options.MCNoWarn = Arguments.hasArg(OPT_massembler_no_warn);
+  Options.MCFatalWarnings = Arguments.hasArg(OPT_massembler_fatal_warnings);
+  Options.MCSaveTempLabels = Arguments.hasArg(OPT_msave_temp_labels);
+  Options.MCUseDwarfDirectory = MCTargetOptions::EnableDwarfDirectory;
+
+  std::unique_ptr<MCRegisterInfo> Registers(
+      TheTarget->createMCRegInfo(TargetTriple));
+  std::unique_ptr<MCAsmInfo> AsmInfo(
+      TheTarget->createMCAsmInfo(*Registers, TargetTriple, Options));
+  std::unique_ptr<MCInstrInfo> Instructions(TheTarget->createMCInstrInfo());
+  std::unique_ptr<MCSubtargetInfo> Subtarget(TheTarget->createMCSubtargetInfo(
+      TargetTriple, Arguments.getLastArgValue(OPT_target_cpu),
+      llvm::join(Arguments.getAllArgValues(OPT_target_feature), ",")));
+  MCContext Context(TargetTriple, AsmInfo.get(), Registers.get(),
+                    Subtarget.get(), &Sources, &Options);
+  std::unique_ptr<MCObjectFileInfo> ObjectFileInfo(
+      TheTarget->createMCObjectFileInfo(Context, /*PIC=*/false));
+  Context.setObjectFileInfo(ObjectFileInfo.get());
+  setDebugOptions(Context, Arguments, InputName, InputText, Diags);
+
+  std::string OutputName = Arguments.getLastArgValue(OPT_o, "-").str();
+  std::error_code OpenFailure;
+  ToolOutputFile Output(OutputName, OpenFailure, sys::fs::OF_None);
+  if (OpenFailure) {
+    Diags.Report(diag::err_fe_unable_to_open_output)
+        << OutputName << OpenFailure.message();
+    return false;
+  }
+  SmallString<0> ObjectText;
+  raw_svector_ostream ObjectStream(ObjectText);
+
+  std::unique_ptr<MCCodeEmitter> Emitter(
+      TheTarget->createMCCodeEmitter(*Instructions, Context));
+  std::unique_ptr<MCAsmBackend> Backend(
+      TheTarget->createMCAsmBackend(*Subtarget, *Registers, Options));
+  std::unique_ptr<MCObjectWriter> Writer =
+      Backend->createObjectWriter(ObjectStream);
+  std::unique_ptr<MCStreamer> Streamer(TheTarget->createMCObjectStreamer(
+      TargetTriple, Context, std::move(Backend), std::move(Writer),
+      std::move(Emitter), *Subtarget));
+  Streamer->initSections(/*NoExecStack=*/false, *Subtarget);
+  std::unique_ptr<MCAsmParser> Parser(
+      createMCAsmParser(Sources, Context, *Streamer, *AsmInfo));
+  std::unique_ptr<MCTargetAsmParser> TargetParser(
+      TheTarget->createMCAsmParser(*Subtarget, *Parser, *Instructions,
+                                   Options));
+  Parser->setTargetParser(*TargetParser);
+  if (!defineSymbols(Context, *Streamer, Arguments, Diags) ||
+      Parser->Run(/*NoInitialTextSection=*/false))
+    return false;
+  Output.os() << ObjectText;
+  Output.keep();
+  return true;
+}
+
+} // namespace tp

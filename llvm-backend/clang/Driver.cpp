@@ -1,0 +1,256 @@
+//===- Driver.cpp - The compiler driver tpcc ------------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/clang/Driver.h"
+#include "clang/Basic/DiagnosticDriver.h"
+#include "clang/Driver/Compilation.h"
+#include "clang/Driver/Driver.h"
+#include "clang/Frontend/CompilerInstance.h"
+#include "clang/Frontend/CompilerInvocation.h"
+#include "clang/Frontend/TextDiagnosticPrinter.h"
+#include "clang/Options/Options.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/clang/AssemblerJob.h"
+#include "llvm-backend/clang/DriverArguments.h"
+#include "llvm-backend/clang/DriverQueries.h"
+#include "llvm-backend/clang/FrontendJob.h"
+#include "llvm-backend/clang/LinkJob.h"
+#include "llvm/ADT/StringSet.h"
+#include "llvm/Option/OptTable.h"
+#include "llvm/Support/Errc.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/VirtualFileSystem.h"
+
+using namespace clang;
+using namespace clang::driver;
+using namespace clang::options;
+using namespace llvm;
+using namespace llvm::opt;
+
+namespace tp {
+
+namespace {
+
+enum class JobKind { Frontend, Assembler, Link };
+
+/// Runs the jobs of one compilation one after the other.
+class JobRunner {
+public:
+  JobRunner(Compilation &Jobs, const std::string &ToolPath,
+            const Sysroot &Folders)
+      : Jobs(Jobs), ToolPath(ToolPath), Link(Jobs, Folders) {}
+
+  bool runAll(bool Verbose);
+
+private:
+  static JobKind kindOf(const Command &Job);
+  bool dependsOnFailure(const Command &Job) const;
+  bool isTemporary(StringRef File) const;
+  bool compile(const Command &Job);
+  bool run(const Command &Job);
+
+  Compilation &Jobs;
+  const std::string &ToolPath;
+  LinkJob Link;
+  StringSet<> MissingOutputs;
+};
+
+} // namespace
+
+JobKind JobRunner::kindOf(const Command &Job) {
+  if (isa<LinkJobAction>(Job.getSource()))
+    return JobKind::Link;
+  return StringRef(Job.getArguments().front()) == "-cc1as" ? JobKind::Assembler
+                                                           : JobKind::Frontend;
+}
+
+bool JobRunner::dependsOnFailure(const Command &Job) const {
+  return any_of(Job.getInputInfos(), [&](const InputInfo &Input) {
+    return Input.isFilename() && MissingOutputs.contains(Input.getFilename());
+  });
+}
+
+bool JobRunner::isTemporary(StringRef File) const {
+  return is_contained(Jobs.getTempFiles(), File);
+}
+
+bool JobRunner::compile(const Command &Job) {
+  ArrayRef<const char *> Arguments(Job.getArguments());
+  Arguments = Arguments.drop_front();
+  // Bitcode that only the link wants stays in memory.
+  if (!is_contained(Arguments, StringRef("-emit-llvm-bc")) ||
+      Job.getOutputFilenames().empty() ||
+      !isTemporary(Job.getOutputFilenames().front()))
+    return runFrontend(Arguments, ToolPath.c_str());
+  std::unique_ptr<llvm::Module> Unit =
+      compileToModule(Arguments, ToolPath.c_str(), Link.context());
+  if (!Unit)
+    return false;
+  Link.addUnit(Job.getOutputFilenames().front(), std::move(Unit));
+  return true;
+}
+
+bool JobRunner::run(const Command &Job) {
+  switch (kindOf(Job)) {
+  case JobKind::Frontend:
+    return compile(Job);
+  case JobKind::Assembler:
+    return runAssembler(ArrayRef(Job.getArguments()).drop_front(),
+                        Jobs.getDriver().getDiags());
+  case JobKind::Link:
+    return Link.run(Job);
+  }
+  return false;
+}
+
+bool JobRunner::runAll(bool Verbose) {
+  bool Succeeded = true;
+  for (const Command &Job : Jobs.getJobs()) {
+    if (Verbose)
+      Job.Print(errs(), "\n", /*Quote=*/false);
+    if (!dependsOnFailure(Job) && run(Job))
+      continue;
+    Succeeded = false;
+    for (const std::string &Output : Job.getOutputFilenames())
+      MissingOutputs.insert(Output);
+    const auto *Action = cast<JobAction>(&Job.getSource());
+    Jobs.CleanupFileMap(Jobs.getResultFiles(), Action, /*IssueErrors=*/true);
+  }
+  return Succeeded;
+}
+
+// Replaces tpcc's own options by clang's.
+static void translateOwnOptions(SmallVectorImpl<const char *> &Arguments) {
+  SmallVector<const char *, 64> Translated;
+  for (StringRef Argument : Arguments) {
+    if (Argument != "-mtrig" && Argument != "-mno-trig") {
+      Translated.push_back(Argument.data());
+      continue;
+    }
+    for (const char *Part : {"-Xclang", "-target-feature", "-Xclang"})
+      Translated.push_back(Part);
+    Translated.push_back(Argument == "-mtrig" ? "+trig" : "-trig");
+  }
+  Arguments = std::move(Translated);
+}
+
+// What goes to clang's driver: the defaults, then the user's words without
+// -### and -v, at which clang's driver would print its own version.
+static SmallVector<const char *, 64>
+driverArguments(ArrayRef<const char *> UserArguments, bool Verbose,
+                const std::string &ToolPath) {
+  SmallVector<const char *, 64> Arguments{ToolPath.c_str()};
+  append_range(Arguments, defaultDriverArguments());
+  if (Verbose)
+    append_range(Arguments, ArrayRef<const char *>{"-Xclang", "-v"});
+  for (const char *Argument : UserArguments)
+    if (StringRef(Argument) != "-###" && StringRef(Argument) != "-v")
+      Arguments.push_back(Argument);
+  return Arguments;
+}
+
+// Gives the jobs that clang's driver has planned what it does not know.
+static void completeJobs(Compilation &Jobs, const ArgList &UserArguments,
+                         const Sysroot &Folders, const std::string &ToolPath) {
+  StringSet<> LinkInputs;
+  if (UserArguments.hasFlag(OPT_flto, OPT_flto_EQ, OPT_fno_lto, true))
+    for (const Command &Job : Jobs.getJobs())
+      if (isa<LinkJobAction>(Job.getSource()))
+        for (const InputInfo &Input : Job.getInputInfos())
+          if (Input.isFilename() &&
+              is_contained(Jobs.getTempFiles(), StringRef(Input.getFilename())))
+            LinkInputs.insert(Input.getFilename());
+
+  for (Command &Job : Jobs.getJobs()) {
+    if (isa<LinkJobAction>(Job.getSource())) {
+      LinkJob::describe(Jobs, Folders, ToolPath, Job);
+      continue;
+    }
+    ArgStringList JobArguments = Job.getArguments();
+    completeJobArguments(UserArguments, Folders, Jobs.getArgs(), JobArguments);
+    if (StringRef(JobArguments.front()) == "-cc1" &&
+        any_of(Job.getOutputFilenames(), [&](const std::string &Output) {
+          return LinkInputs.contains(Output);
+        }))
+      compileForWholeProgram(JobArguments);
+    Job.replaceArguments(std::move(JobArguments));
+  }
+}
+
+static bool anyInput(const ArgList &Arguments) {
+  return Arguments.hasArg(OPT_INPUT);
+}
+
+static int runInternalTool(ArrayRef<const char *> Arguments,
+                           const std::string &ToolPath,
+                           DiagnosticsEngine &Diags) {
+  if (StringRef(Arguments[0]) == "-cc1")
+    return !runFrontend(Arguments.drop_front(), ToolPath.c_str());
+  return !runAssembler(Arguments.drop_front(), Diags);
+}
+
+int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
+  SmallVector<const char *, 64> Arguments(CommandLine.drop_front());
+  BumpPtrAllocator Strings;
+  if (Error Failure = expandResponseFiles(Arguments, /*ClangCLMode=*/false,
+                                          Strings)) {
+    errs() << "tpcc: error: " << toString(std::move(Failure)) << '\n';
+    return 1;
+  }
+  // Response files may have brought in line-end markers.
+  llvm::erase(Arguments, nullptr);
+  translateOwnOptions(Arguments);
+  std::string ToolPath =
+      sys::fs::getMainExecutable(CommandLine.front(), MainAddress);
+
+  std::unique_ptr<DiagnosticOptions> DiagOptions =
+      CreateAndPopulateDiagOpts(Arguments);
+  auto *Printer = new TextDiagnosticPrinter(errs(), *DiagOptions);
+  Printer->setPrefix("tpcc");
+  DiagnosticsEngine Diags(DiagnosticIDs::create(), *DiagOptions, Printer);
+  ProcessWarningOptions(Diags, *DiagOptions, *vfs::getRealFileSystem(),
+                        /*ReportDiags=*/false);
+
+  if (!Arguments.empty() && (StringRef(Arguments[0]) == "-cc1" ||
+                             StringRef(Arguments[0]) == "-cc1as"))
+    return runInternalTool(Arguments, ToolPath, Diags);
+
+  unsigned MissingIndex, MissingCount;
+  InputArgList UserArguments = getDriverOptTable().ParseArgs(
+      Arguments, MissingIndex, MissingCount, opt::Visibility(ClangOption));
+  if (answerQuery(UserArguments, ToolPath))
+    return 0;
+  bool DryRun = UserArguments.hasArg(OPT__HASH_HASH_HASH);
+  bool Verbose = UserArguments.hasArg(OPT_v);
+  if (DryRun || Verbose)
+    printVersion(errs(), ToolPath);
+  if (Verbose && !anyInput(UserArguments))
+    return 0;
+
+  clang::driver::Driver TheDriver(ToolPath, llvm::TPTriple, Diags,
+                                  "tpcc, compiler for the thread processor");
+  TheDriver.Name = "tpcc";
+  SmallVector<const char *, 64> AllArguments =
+      driverArguments(Arguments, Verbose, ToolPath);
+  std::unique_ptr<Compilation> Jobs(TheDriver.BuildCompilation(AllArguments));
+  if (!Jobs)
+    return Diags.hasErrorOccurred();
+  if (Jobs->containsError() || Diags.hasErrorOccurred())
+    return 1;
+
+  Sysroot Folders(ToolPath);
+  completeJobs(*Jobs, UserArguments, Folders, ToolPath);
+
+  bool Succeeded = true;
+  if (DryRun)
+    Jobs->getJobs().Print(errs(), "\n", /*Quote=*/true);
+  else
+    Succeeded = JobRunner(*Jobs, ToolPath, Folders).runAll(Verbose);
+  Jobs->CleanupFileList(Jobs->getTempFiles());
+  return !Succeeded || Diags.hasErrorOccurred();
+}
+
+} // namespace tp

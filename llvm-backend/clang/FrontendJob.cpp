@@ -1,0 +1,139 @@
+//===- FrontendJob.cpp - One clang front end run --------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/clang/FrontendJob.h"
+#include "clang/Basic/DiagnosticFrontend.h"
+#include "clang/CodeGen/CodeGenAction.h"
+#include "clang/Frontend/CompilerInstance.h"
+#include "clang/Frontend/CompilerInvocation.h"
+#include "clang/Frontend/TextDiagnosticBuffer.h"
+#include "clang/FrontendTool/Utils.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/clang/ClangTargetInfo.h"
+#include "llvm/Support/CommandLine.h"
+
+using namespace clang;
+using namespace llvm;
+
+namespace tp {
+
+void setBackendOptions(ArrayRef<std::string> Options) {
+  cl::ResetAllOptionOccurrences();
+  if (Options.empty())
+    return;
+  std::vector<const char *> Arguments{"tpcc (LLVM option parsing)"};
+  for (const std::string &Option : Options)
+    Arguments.push_back(Option.c_str());
+  cl::ParseCommandLineOptions(Arguments.size(), Arguments.data());
+}
+
+static std::unique_ptr<CompilerInstance>
+createInstance(ArrayRef<const char *> Arguments, const char *ToolPath) {
+  auto Invocation = std::make_shared<CompilerInvocation>();
+  DiagnosticOptions ArgumentDiagnosticOptions;
+  TextDiagnosticBuffer ArgumentDiagnostics;
+  DiagnosticsEngine ArgumentEngine(DiagnosticIDs::create(),
+                                   ArgumentDiagnosticOptions,
+                                   &ArgumentDiagnostics,
+                                   /*ShouldOwnClient=*/false);
+  bool ArgumentsAreValid = CompilerInvocation::CreateFromArgs(
+      *Invocation, Arguments, ArgumentEngine, ToolPath);
+
+  // Clang writes the triple with all its parts; the code generator's tests and
+  // the user's IR do not.
+  Invocation->getTargetOpts().Triple = llvm::TPTriple;
+  // Several jobs share this process: each has to give back what it takes.
+  Invocation->getFrontendOpts().DisableFree = false;
+  Invocation->getCodeGenOpts().DisableFree = false;
+
+  auto Instance = std::make_unique<CompilerInstance>(std::move(Invocation));
+  Instance->createVirtualFileSystem();
+  Instance->createDiagnostics();
+  if (!Instance->hasDiagnostics())
+    return nullptr;
+  ArgumentDiagnostics.FlushDiagnostics(Instance->getDiagnostics());
+  if (!ArgumentsAreValid) {
+    Instance->getDiagnosticClient().finish();
+    return nullptr;
+  }
+  Instance->createFileManager();
+  return Instance;
+}
+
+// CompilerInstance::createTarget with the TP in the place of clang's own
+// targets.
+static bool createTarget(CompilerInstance &Instance) {
+  auto Target = createClangTargetInfo(Instance.getDiagnostics(),
+                                      Instance.getTargetOpts());
+  if (!Target)
+    return false;
+  Instance.setTarget(Target.get());
+  if (!Target->hasStrictFP() && !Instance.getLangOpts().ExpStrictFP) {
+    if (Instance.getLangOpts().RoundingMath) {
+      Instance.getDiagnostics().Report(
+          diag::warn_fe_backend_unsupported_fp_rounding);
+      Instance.getLangOpts().RoundingMath = false;
+    }
+    auto Exceptions = Instance.getLangOpts().getFPExceptionMode();
+    if (Exceptions != LangOptions::FPE_Ignore &&
+        Exceptions != LangOptions::FPE_Default) {
+      Instance.getDiagnostics().Report(
+          diag::warn_fe_backend_unsupported_fp_exceptions);
+      Instance.getLangOpts().setFPExceptionMode(LangOptions::FPE_Ignore);
+    }
+  }
+  Target->adjust(Instance.getDiagnostics(), Instance.getLangOpts(),
+                 /*Aux=*/nullptr);
+  return true;
+}
+
+// CompilerInstance::ExecuteAction with createTarget from above.
+static bool execute(CompilerInstance &Instance, FrontendAction &Action) {
+  bool Prepared = Action.PrepareToExecute(Instance) && createTarget(Instance);
+  if (Prepared) {
+    for (const FrontendInputFile &Input : Instance.getFrontendOpts().Inputs) {
+      if (Instance.hasSourceManager() && !Action.isModelParsingAction())
+        Instance.getSourceManager().clearIDTables();
+      if (!Action.BeginSourceFile(Instance, Input))
+        continue;
+      // Execute has reported every error that it returns.
+      if (llvm::Error Failure = Action.Execute())
+        consumeError(std::move(Failure));
+      Action.EndSourceFile();
+    }
+    Instance.printDiagnosticStats();
+  }
+  Instance.getDiagnosticClient().finish();
+  return Prepared && !Instance.getDiagnostics().getClient()->getNumErrors();
+}
+
+bool runFrontend(ArrayRef<const char *> Arguments, const char *ToolPath) {
+  auto Instance = createInstance(Arguments, ToolPath);
+  if (!Instance)
+    return false;
+  setBackendOptions(Instance->getFrontendOpts().LLVMArgs);
+  Instance->LoadRequestedPlugins();
+  if (Instance->getDiagnostics().hasErrorOccurred())
+    return false;
+  std::unique_ptr<FrontendAction> Action = CreateFrontendAction(*Instance);
+  return Action && execute(*Instance, *Action);
+}
+
+std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
+                                              const char *ToolPath,
+                                              LLVMContext &Context) {
+  auto Instance = createInstance(Arguments, ToolPath);
+  if (!Instance)
+    return nullptr;
+  setBackendOptions(Instance->getFrontendOpts().LLVMArgs);
+  Context.setDiscardValueNames(Instance->getCodeGenOpts().DiscardValueNames);
+  EmitLLVMOnlyAction Action(&Context);
+  if (!execute(*Instance, Action))
+    return nullptr;
+  return Action.takeModule();
+}
+
+} // namespace tp

@@ -1,0 +1,188 @@
+//===- LinkJob.cpp - The driver's last job --------------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/clang/LinkJob.h"
+#include "clang/Driver/InputInfo.h"
+#include "clang/Options/Options.h"
+#include "llvm-backend/clang/FrontendJob.h"
+#include "llvm/Option/ArgList.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
+
+using namespace clang::driver;
+using namespace clang::options;
+using namespace llvm;
+using namespace llvm::opt;
+
+namespace tp {
+
+static OptimizationLevel optimizationLevel(const ArgList &Arguments) {
+  const Arg *Level = Arguments.getLastArg(OPT_O_Group);
+  if (!Level || Level->getOption().matches(OPT_O0))
+    return OptimizationLevel::O0;
+  if (Level->getOption().matches(OPT_O4) ||
+      Level->getOption().matches(OPT_Ofast))
+    return OptimizationLevel::O3;
+  StringRef Value = Level->getValue();
+  if (Value == "s")
+    return OptimizationLevel::Os;
+  if (Value == "z")
+    return OptimizationLevel::Oz;
+  if (Value == "0")
+    return OptimizationLevel::O0;
+  if (Value == "1" || Value == "g" || Value.empty())
+    return OptimizationLevel::O1;
+  return Value == "2" ? OptimizationLevel::O2 : OptimizationLevel::O3;
+}
+
+namespace {
+/// Reads the inputs and options of the link from clang's plan.
+class LinkPlan {
+public:
+  LinkPlan(const Compilation &Jobs, const Sysroot &Folders, const Command &Job,
+           LinkDiagnostics &Diags);
+
+  LinkOptions Options;
+  std::vector<LinkInput> Inputs;
+
+private:
+  void readOption(const Arg &Argument);
+  void readLinkerWords(ArrayRef<const char *> Words);
+  void addLibrary(StringRef Name);
+
+  const ArgList &Arguments;
+  LinkDiagnostics &Diags;
+  bool WholeArchive = false;
+};
+} // namespace
+
+LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
+                   const Command &Job, LinkDiagnostics &Diags)
+    : Arguments(Jobs.getArgs()), Diags(Diags) {
+  Options.Level = optimizationLevel(Arguments);
+  if (!Job.getOutputFilenames().empty())
+    Options.OutputPath = Job.getOutputFilenames().front();
+  if (!Arguments.hasArg(OPT_nostdlib, OPT_nodefaultlibs))
+    Options.RuntimePath = Folders.runtimeBitcode();
+  if (Arguments.hasArg(OPT_r, OPT_shared, OPT_rdynamic))
+    Diags.error("'" +
+                Arguments.getLastArg(OPT_r, OPT_shared, OPT_rdynamic)
+                    ->getAsString(Arguments) +
+                "' is not possible: the TP runs whole programs only");
+  for (const InputInfo &Input : Job.getInputInfos()) {
+    if (Input.isFilename())
+      Inputs.push_back({Input.getBaseInput() ? Input.getBaseInput()
+                                             : Input.getFilename(),
+                        nullptr, Input.getFilename(), WholeArchive});
+    else if (Input.isInputArg())
+      readOption(Input.getInputArg());
+  }
+  if (const Arg *Entry = Arguments.getLastArg(OPT_e))
+    Options.EntrySymbol = Entry->getValue();
+  for (const std::string &Name : Arguments.getAllArgValues(OPT_u))
+    Options.KeptSymbols.push_back(Name);
+}
+
+void LinkPlan::readOption(const Arg &Argument) {
+  const Option &Kind = Argument.getOption();
+  if (Kind.matches(OPT_l))
+    addLibrary(Argument.getValue());
+  else if (Kind.matches(OPT_Wl_COMMA) || Kind.matches(OPT_Xlinker))
+    readLinkerWords(Argument.getValues());
+}
+
+void LinkPlan::readLinkerWords(ArrayRef<const char *> Words) {
+  for (size_t I = 0; I < Words.size(); ++I) {
+    StringRef Word = Words[I];
+    // `--name=value`, or the value is the next word.
+    auto Matches = [&](ArrayRef<StringRef> Names, std::string &Value) {
+      for (StringRef Name : Names) {
+        if (Word == Name && I + 1 < Words.size()) {
+          Value = Words[++I];
+          return true;
+        }
+        StringRef Rest = Word;
+        if (Rest.consume_front(Name) && Rest.consume_front("=")) {
+          Value = Rest.str();
+          return true;
+        }
+      }
+      return false;
+    };
+    std::string Value;
+    if (Word == "--gc-sections")
+      Options.CollectGarbage = true;
+    else if (Word == "--no-gc-sections")
+      Options.CollectGarbage = false;
+    else if (Word == "--whole-archive")
+      WholeArchive = true;
+    else if (Word == "--no-whole-archive")
+      WholeArchive = false;
+    else if (Matches({"--entry", "-e"}, Value))
+      Options.EntrySymbol = Value;
+    else if (Matches({"--undefined", "-u"}, Value))
+      Options.KeptSymbols.push_back(Value);
+    else if (Matches({"-Map", "--Map"}, Value))
+      Options.MapPath = Value;
+    else if (Word != "--start-group" && Word != "--end-group")
+      Diags.error("unknown linker option '" + Word + "'; tpcc --help lists them");
+  }
+}
+
+void LinkPlan::addLibrary(StringRef Name) {
+  SmallString<128> Searched;
+  for (const std::string &Folder : Arguments.getAllArgValues(OPT_L)) {
+    SmallString<128> Path(Folder);
+    sys::path::append(Path, "lib" + Name + ".a");
+    if (sys::fs::exists(Path)) {
+      Inputs.push_back({Path.str().str(), nullptr, Path.str().str(),
+                        WholeArchive});
+      return;
+    }
+    Searched += (Searched.empty() ? "" : ", ") + Folder;
+  }
+  // The runtime has the whole C library.
+  if (Name == "c" || Name == "m")
+    return;
+  Diags.error("cannot find library '-l" + Name + "': no lib" + Name + ".a in " +
+              (Searched.empty() ? StringRef("the folders of -L (there are none)")
+                                : StringRef(Searched)));
+}
+
+bool LinkJob::run(const Command &Job) {
+  LinkDiagnostics Diags;
+  LinkPlan Plan(Jobs, Folders, Job, Diags);
+  if (Diags.hasErrors())
+    return false;
+  for (LinkInput &Input : Plan.Inputs)
+    if (auto Unit = Units.find(Input.Path); Unit != Units.end())
+      Input.Unit = std::move(Unit->second);
+  setBackendOptions(Jobs.getArgs().getAllArgValues(OPT_mllvm));
+  return linkProgram(Context, std::move(Plan.Inputs), Plan.Options, Diags);
+}
+
+void LinkJob::describe(const Compilation &Jobs, const Sysroot &Folders,
+                       const std::string &ToolPath, Command &Job) {
+  ArgStringList Words;
+  const ArgList &StringOwner = Jobs.getArgs();
+  Words.push_back("-link");
+  Words.push_back("-o");
+  for (const std::string &Output : Job.getOutputFilenames())
+    Words.push_back(StringOwner.MakeArgString(Output));
+  if (!Jobs.getArgs().hasArg(OPT_nostdlib, OPT_nodefaultlibs))
+    Words.push_back(StringOwner.MakeArgString(Folders.runtimeBitcode()));
+  Jobs.getArgs().AddLastArg(Words, OPT_O_Group);
+  for (const InputInfo &Input : Job.getInputInfos()) {
+    if (Input.isFilename())
+      Words.push_back(Input.getFilename());
+    else if (Input.isInputArg())
+      Input.getInputArg().renderAsInput(Jobs.getArgs(), Words);
+  }
+  Job.replaceExecutable(StringOwner.MakeArgString(ToolPath));
+  Job.replaceArguments(std::move(Words));
+}
+
+} // namespace tp

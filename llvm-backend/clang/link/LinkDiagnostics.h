@@ -1,0 +1,34 @@
+//===- LinkDiagnostics.h - What the linker tells the user -------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H
+#define TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H
+
+#include "llvm/ADT/Twine.h"
+#include "llvm/Support/WithColor.h"
+#include "llvm/Support/raw_ostream.h"
+
+namespace tp {
+
+/// Prints the linker's errors and counts them.
+class LinkDiagnostics {
+public:
+  void error(const llvm::Twine &Message) {
+    ++Errors;
+    llvm::WithColor::error(llvm::errs(), "tpcc") << Message << '\n';
+  }
+  void warning(const llvm::Twine &Message) {
+    llvm::WithColor::warning(llvm::errs(), "tpcc") << Message << '\n';
+  }
+  bool hasErrors() const { return Errors != 0; }
+
+private:
+  unsigned Errors = 0;
+};
+
+} // namespace tp
+
+#endif // TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H

@@ -1,0 +1,20 @@
+//===- LinkerSymbols.h - Symbols that the linker defines --------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_LLVM_BACKEND_CLANG_LINK_LINKERSYMBOLS_H
+#define TP_LLVM_BACKEND_CLANG_LINK_LINKERSYMBOLS_H
+
+#include "llvm-backend/clang/link/Layout.h"
+
+namespace tp {
+
+/// Defines the linker's symbols (listed in docs/tpcc.md) that no object
+/// defines: those of the TP always, others where an object refers to them.
+void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals);
+
+} // namespace tp
+
+#endif // TP_LLVM_BACKEND_CLANG_LINK_LINKERSYMBOLS_H

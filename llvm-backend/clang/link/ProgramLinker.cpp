@@ -1,0 +1,127 @@
+//===- ProgramLinker.cpp - Everything to one program ----------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/clang/link/ProgramLinker.h"
+#include "llvm-backend/clang/link/ElfLinker.h"
+#include "llvm-backend/clang/link/InputFiles.h"
+#include "llvm-backend/clang/link/WholeProgram.h"
+#include "llvm/Bitcode/BitcodeReader.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/ToolOutputFile.h"
+
+using namespace llvm;
+
+namespace tp {
+
+// What tpsim looks for in a program; see runtime/include/tp/launch.h.
+static constexpr const char LaunchBlockSymbol[] = "__tp_launch";
+
+// Messages about code of the whole program say where the source is.
+static constexpr const char WholeProgramName[] = "<program>";
+
+static void addRuntime(WholeProgram &Program, LLVMContext &Context,
+                       const std::string &Path, const InputFiles &Files,
+                       LinkDiagnostics &Diags) {
+  auto Buffer = MemoryBuffer::getFile(Path);
+  if (std::error_code Failure = Buffer.getError()) {
+    Diags.error("cannot read the runtime '" + Path +
+                "': " + Failure.message() +
+                "; build the target tp-runtime, or link with -nostdlib");
+    return;
+  }
+  Expected<std::unique_ptr<Module>> Runtime =
+      parseBitcodeFile((*Buffer)->getMemBufferRef(), Context);
+  if (!Runtime) {
+    Diags.error("cannot read the runtime '" + Path +
+                "': " + toString(Runtime.takeError()) +
+                "; build the target tp-runtime again");
+    return;
+  }
+  Program.addRuntime(std::move(*Runtime), "the runtime",
+                     Files.DefinedByObjects);
+}
+
+// Bitcode and objects are linked at different stages, so that symbols that one
+// of each defines need a check of their own.
+static void reportDuplicates(const WholeProgram &Program,
+                             const InputFiles &Files, LinkDiagnostics &Diags) {
+  for (const auto &Symbol : Files.DefinedByObjects)
+    if (StringRef Unit = Program.definitionOf(Symbol.getKey()); !Unit.empty())
+      Diags.error("duplicate symbol: " + Symbol.getKey() + "\n  defined in " +
+                  Unit + "\n  defined in an object or assembly file");
+}
+
+static bool writeExecutable(ArrayRef<uint8_t> Contents, StringRef Path,
+                            LinkDiagnostics &Diags) {
+  std::error_code Failure;
+  ToolOutputFile File(Path, Failure, sys::fs::OF_None);
+  if (!Failure) {
+    File.os().write(reinterpret_cast<const char *>(Contents.data()),
+                    Contents.size());
+    File.os().flush();
+    Failure = File.os().error();
+    File.os().clear_error();
+  }
+  if (Failure) {
+    Diags.error("cannot write '" + Path + "': " + Failure.message());
+    return false;
+  }
+  File.keep();
+  if (auto Permissions = sys::fs::getPermissions(Path);
+      Permissions && sys::fs::is_regular_file(Path))
+    sys::fs::setPermissions(Path, *Permissions | sys::fs::all_exe);
+  return true;
+}
+
+bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
+                 const LinkOptions &Options, LinkDiagnostics &Diags) {
+  InputFiles Files(Context, Diags);
+  for (LinkInput &Input : Inputs)
+    Files.add(std::move(Input));
+  Files.resolveArchives();
+
+  WholeProgram Program(Context, Diags);
+  for (InputFiles::NamedUnit &Unit : Files.Units)
+    Program.add(std::move(Unit.Unit), Unit.Name);
+  reportDuplicates(Program, Files, Diags);
+  if (!Options.RuntimePath.empty())
+    addRuntime(Program, Context, Options.RuntimePath, Files, Diags);
+  if (Diags.hasErrors())
+    return false;
+
+  ElfLinkOptions ElfOptions;
+  ElfOptions.EntrySymbol = Options.EntrySymbol;
+  ElfOptions.Roots = Options.KeptSymbols;
+  ElfOptions.Roots.push_back(LaunchBlockSymbol);
+  ElfOptions.CollectGarbage = Options.CollectGarbage;
+  ElfOptions.MapPath = Options.MapPath;
+  ElfOptions.Hint = [&](StringRef Symbol) {
+    return Program.referenceTo(Symbol);
+  };
+
+  std::vector<MemoryBufferRef> Objects;
+  SmallVector<char, 0> ProgramObject;
+  if (!Program.isEmpty()) {
+    StringSet<> Exported = Files.MentionedByObjects;
+    for (const std::string &Root : ElfOptions.Roots)
+      Exported.insert(Root);
+    Exported.insert(Options.EntrySymbol);
+    // The name stays for debuggers and profiles.
+    Exported.insert("main");
+    ProgramObject = Program.compile(Options.Level, Exported);
+    if (Diags.hasErrors())
+      return false;
+    Objects.push_back(
+        {StringRef(ProgramObject.data(), ProgramObject.size()),
+         WholeProgramName});
+  }
+  append_range(Objects, Files.Objects);
+  SmallVector<uint8_t, 0> File = linkElf(Objects, ElfOptions, Diags);
+  return !Diags.hasErrors() &&
+         writeExecutable(File, Options.OutputPath, Diags);
+}
+
+} // namespace tp

@@ -1,0 +1,69 @@
+//===- WholeProgram.h - Bitcode to one optimized object ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_LLVM_BACKEND_CLANG_LINK_WHOLEPROGRAM_H
+#define TP_LLVM_BACKEND_CLANG_LINK_WHOLEPROGRAM_H
+
+#include "llvm-backend/clang/link/LinkDiagnostics.h"
+#include "llvm/ADT/SmallVector.h"
+#include "llvm/ADT/StringMap.h"
+#include "llvm/ADT/StringSet.h"
+#include "llvm/IR/Module.h"
+#include "llvm/Passes/OptimizationLevel.h"
+
+#include <memory>
+#include <string>
+
+namespace llvm {
+class TargetMachine;
+} // namespace llvm
+
+namespace tp {
+
+/// All bitcode of a program as one module.
+class WholeProgram {
+public:
+  WholeProgram(llvm::LLVMContext &Context, LinkDiagnostics &Diags);
+
+  /// Adds a translation unit; \p Name is the user's name for it. Reports
+  /// symbols that two units define.
+  void add(std::unique_ptr<llvm::Module> Unit, llvm::StringRef Name);
+
+  /// Adds the runtime. Definitions of the program, or in \p DefinedElsewhere,
+  /// take the place of the runtime's.
+  void addRuntime(std::unique_ptr<llvm::Module> Runtime, llvm::StringRef Name,
+                  const llvm::StringSet<> &DefinedElsewhere);
+
+  bool isEmpty() const { return Units == 0; }
+  /// Where the source refers to \p Symbol: `file:function`, or empty.
+  std::string referenceTo(llvm::StringRef Symbol) const;
+  /// The name of the unit that defines \p Symbol, or empty.
+  llvm::StringRef definitionOf(llvm::StringRef Symbol) const;
+
+  /// Optimizes the program as a whole and compiles it.
+  /// \param Exported the symbols that something outside may refer to.
+  /// \returns the object file; empty after an error.
+  llvm::SmallVector<char, 0> compile(llvm::OptimizationLevel Level,
+                                     const llvm::StringSet<> &Exported);
+
+private:
+  void recordSymbols(const llvm::Module &Unit, llvm::StringRef Name);
+  void link(std::unique_ptr<llvm::Module> Unit, llvm::StringRef Name);
+  void internalize(const llvm::StringSet<> &Exported);
+  void optimize(llvm::OptimizationLevel Level, llvm::TargetMachine &Machine);
+
+  LinkDiagnostics &Diags;
+  std::unique_ptr<llvm::Module> Program;
+  unsigned Units = 0;
+  llvm::StringMap<std::string> Definitions;
+  llvm::StringMap<std::string> References;
+  /// Named in module-level assembly, where the optimizer cannot see it.
+  llvm::StringSet<> UsedByAssembly;
+};
+
+} // namespace tp
+
+#endif // TP_LLVM_BACKEND_CLANG_LINK_WHOLEPROGRAM_H
