@@ -9,7 +9,7 @@
 namespace tp {
 
 template std::unique_ptr<EngineImplementation>
-makeEngine<unsigned __int128, false>(const ChipConfig &, const Program &, Memory &,
-                     const ResourceLayout &);
+makeEngine<unsigned __int128, false>(const ChipConfig &, const Program &,
+                                     Memory &, const ResourceLayout &);
 
 } // namespace tp

@@ -1,4 +1,5 @@
-//===- EngineMediumFlush.cpp - Engine for 128-bit resource words, flush to zero ===//
+//===- EngineMediumFlush.cpp - Engine for 128-bit resource words, flush to zero
+//===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -9,7 +10,7 @@
 namespace tp {
 
 template std::unique_ptr<EngineImplementation>
-makeEngine<unsigned __int128, true>(const ChipConfig &, const Program &, Memory &,
-                     const ResourceLayout &);
+makeEngine<unsigned __int128, true>(const ChipConfig &, const Program &,
+                                    Memory &, const ResourceLayout &);
 
 } // namespace tp

@@ -1,4 +1,5 @@
-//===- EngineNarrowFlush.cpp - Engine for 64-bit resource words, flush to zero ===//
+//===- EngineNarrowFlush.cpp - Engine for 64-bit resource words, flush to zero
+//===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -10,6 +11,6 @@ namespace tp {
 
 template std::unique_ptr<EngineImplementation>
 makeEngine<uint64_t, true>(const ChipConfig &, const Program &, Memory &,
-                     const ResourceLayout &);
+                           const ResourceLayout &);
 
 } // namespace tp

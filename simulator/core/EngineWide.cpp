@@ -10,6 +10,6 @@ namespace tp {
 
 template std::unique_ptr<EngineImplementation>
 makeEngine<WideWord, false>(const ChipConfig &, const Program &, Memory &,
-                     const ResourceLayout &);
+                            const ResourceLayout &);
 
 } // namespace tp

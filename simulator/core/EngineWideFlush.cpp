@@ -10,6 +10,6 @@ namespace tp {
 
 template std::unique_ptr<EngineImplementation>
 makeEngine<WideWord, true>(const ChipConfig &, const Program &, Memory &,
-                     const ResourceLayout &);
+                           const ResourceLayout &);
 
 } // namespace tp

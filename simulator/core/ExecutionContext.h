@@ -147,8 +147,7 @@ public:
   /// The thread waits until the call is done at the end of the window.
   uint32_t hostCall(uint32_t Service, uint32_t First, uint32_t Second,
                     uint32_t Third) {
-    defer(ready::after(0, Op) +
-          ReadyWord(Runner.End << ready::CycleShift));
+    defer(ready::after(0, Op) + ReadyWord(Runner.End << ready::CycleShift));
     GlobalAccess &Access = log(GlobalAccess::HostCall, Second, Third);
     Access.Service = Service;
     Access.Extra = First;
@@ -233,9 +232,7 @@ private:
   bool isReadOnly(uint32_t At) const {
     return At - Runner.Chip.TextBegin < Runner.Chip.ReadOnlyBytes;
   }
-  bool isWritable(uint32_t At) const {
-    return isGlobal(At) && !isReadOnly(At);
-  }
+  bool isWritable(uint32_t At) const { return isGlobal(At) && !isReadOnly(At); }
   uint8_t *localPointer(uint32_t At) const {
     return reinterpret_cast<uint8_t *>(T.LocalStoreBias + At);
   }

@@ -36,14 +36,12 @@ template <class Word> struct TmRunner : TmRunnerState {
 /// relative cycle, the resource table such that Free[Cycle] is this cycle's,
 /// and all guard bits.
 #define TP_HANDLER_PARAMETERS                                                  \
-  Thread *T, const Slot<Word> *S, uint64_t Cycle, Word *Free,                  \
-      TmRunner<Word> *R
+  Thread *T, const Slot<Word> *S, uint64_t Cycle, Word *Free, TmRunner<Word> *R
 #define TP_HANDLER_ARGUMENTS T, S, Cycle, Free, R
 #define TP_TAIL_CALL [[clang::musttail]] return
 
 template <class Word>
-using Handler =
-    void(__attribute__((preserve_none)) *)(TP_HANDLER_PARAMETERS);
+using Handler = void(__attribute__((preserve_none)) *)(TP_HANDLER_PARAMETERS);
 
 /// A decoded instruction, ready for one chip.
 template <class Word> struct Slot {

@@ -25,9 +25,7 @@ public:
           uint32_t ReadOnlyEnd = 0);
 
   uint32_t textBegin() const { return TextBegin; }
-  uint32_t textEnd() const {
-    return TextBegin + uint32_t(Decoded.size()) * 4;
-  }
+  uint32_t textEnd() const { return TextBegin + uint32_t(Decoded.size()) * 4; }
   uint32_t entry() const { return Entry; }
   uint32_t readOnlyEnd() const { return ReadOnlyEnd; }
   /// One per word of the text.

@@ -11,8 +11,7 @@
 namespace tp {
 
 ResourceLayout::Limit ResourceLayout::place(uint32_t Capacity,
-                                            uint32_t Interval,
-                                            uint32_t Users) {
+                                            uint32_t Interval, uint32_t Users) {
   // A TP starts one instruction a cycle: this limit can never bind.
   if (Capacity >= Users && Interval == 1)
     return {};

@@ -56,9 +56,7 @@ private:
 
     WideWord unused(uint64_t Cycle) const;
     WideWord guard() const { return WideWord(1) << (Shift + CounterBits); }
-    WideWord one() const {
-      return Exists ? WideWord(1) << Shift : WideWord(0);
-    }
+    WideWord one() const { return Exists ? WideWord(1) << Shift : WideWord(0); }
   };
 
   static constexpr unsigned ClosedBit = 0;

@@ -39,7 +39,9 @@ constexpr ReadyWord after(uint32_t Latency, Opcode Producer,
 }
 
 constexpr uint64_t cycleOf(ReadyWord Word) { return Word >> CycleShift; }
-constexpr Opcode producerOf(ReadyWord Word) { return Opcode(Word & OpcodeMask); }
+constexpr Opcode producerOf(ReadyWord Word) {
+  return Opcode(Word & OpcodeMask);
+}
 
 } // namespace ready
 

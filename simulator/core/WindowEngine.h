@@ -187,10 +187,10 @@ void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
   R.Log.clear();
   // Neighbouring TMs go to the same host thread, as few atomic operations as
   // still balance the load.
-  uint32_t Share = Runners.size() == 1
-                       ? Chip.TmCount
-                       : std::max<uint32_t>(
-                             1, Chip.TmCount / uint32_t(Runners.size() * 8));
+  uint32_t Share =
+      Runners.size() == 1
+          ? Chip.TmCount
+          : std::max<uint32_t>(1, Chip.TmCount / uint32_t(Runners.size() * 8));
   for (;;) {
     uint32_t Begin = NextTm.fetch_add(Share, std::memory_order_relaxed);
     if (Begin >= Chip.TmCount)
@@ -206,9 +206,9 @@ template <class Word, bool FlushToZero>
 uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
   std::copy(InitialFree.begin(), InitialFree.end(), R.Free.begin());
   // The handlers index by relative cycles.
-  Word *Free = reinterpret_cast<Word *>(
-      reinterpret_cast<uintptr_t>(R.Free.data()) -
-      R.windowStartRelative() * sizeof(Word));
+  Word *Free =
+      reinterpret_cast<Word *>(reinterpret_cast<uintptr_t>(R.Free.data()) -
+                               R.windowStartRelative() * sizeof(Word));
   uint64_t First = NeverCycle;
   for (uint32_t Priority = 0; Priority != Chip.TpsPerTm; ++Priority) {
     uint32_t Tp = FirstPriority + Priority;
@@ -272,10 +272,9 @@ Progress WindowEngine<Word, FlushToZero>::progress() const {
 }
 
 template <class Word, bool FlushToZero>
-RunResult
-WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
-                                     const std::atomic<bool> *Stop,
-                                     const ProgressFunction &Report) {
+RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
+                                               const std::atomic<bool> *Stop,
+                                               const ProgressFunction &Report) {
   using Clock = std::chrono::steady_clock;
   if (MaxCycles == 0)
     MaxCycles = NeverCycle;

@@ -101,8 +101,8 @@ Instruction decode(uint32_t Word);
 /// if their number or a value does not fit.
 std::optional<uint32_t> encode(Opcode Op, std::span<const int64_t> Operands);
 
-inline std::optional<uint32_t>
-encode(Opcode Op, std::initializer_list<int64_t> Operands) {
+inline std::optional<uint32_t> encode(Opcode Op,
+                                      std::initializer_list<int64_t> Operands) {
   return encode(Op, std::span(Operands.begin(), Operands.size()));
 }
 

@@ -51,9 +51,9 @@ inline Reduced reduce(float Value) {
   // are used.
   uint32_t Mantissa = (Bits & 0x7FFFFF) | 0x800000;
   int Exponent = int(Bits >> 23) - 150;
-  unsigned __int128 Window =
-      (unsigned __int128)twoOverPiBits(Exponent - 2) << 64 |
-      twoOverPiBits(Exponent + 62);
+  unsigned __int128 Window = (unsigned __int128)twoOverPiBits(Exponent - 2)
+                                 << 64 |
+                             twoOverPiBits(Exponent + 62);
   // Modulo 4: two bits of quadrant, then 126 bits of fraction.
   unsigned __int128 Turns = Window * Mantissa;
   bool RoundsUp = Turns >> 125 & 1;

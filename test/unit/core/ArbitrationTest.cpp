@@ -150,8 +150,8 @@ TEST(Arbitration, RefusedInstructionTakesNothing) {
   //   cycle 4: TP 0 multiplies (word 4, bank 0); TP 1 finds no multiplier and
   //            must leave the port of bank 0 to TP 2 (word 8)
   Assembly A;
-  A("mfsr", 4, int(SpecialRegister::tp))("addi", 5, 0, 2)(
-      "beq", 4, 5, "third")("addi", 6, 0, 1)("mul_s", 4, 1, 2)("halt", 0);
+  A("mfsr", 4, int(SpecialRegister::tp))("addi", 5, 0, 2)("beq", 4, 5, "third")(
+      "addi", 6, 0, 1)("mul_s", 4, 1, 2)("halt", 0);
   A.repeat(2, "addi", 0, 0, 0).label("third")("halt", 0);
   ChipConfig Chip = chipWith(3, Unit::FPMUL, 1);
   Chip.IcacheBanks = 4;
@@ -220,8 +220,9 @@ TEST(Arbitration, LongRunsKeepTheirTiming) {
   // rcp_s, rcp_s (16 later), addi (waits for nothing), bne. The next rcp_s
   // waits for the last: each round takes 32 cycles.
   Assembly A;
-  A("lui", 4, 8).label("loop")("rcp_s", 5, 5)("rcp_s", 5, 5)("addi", 4, 4, -1)(
-      "bne", 4, 0, "loop")("halt", 0);
+  A("lui", 4, 8)
+      .label("loop")("rcp_s", 5, 5)("rcp_s", 5, 5)("addi", 4, 4, -1)(
+          "bne", 4, 0, "loop")("halt", 0);
   Simulation S(quietChip(1, 1), A);
   uint64_t Rounds = 8 << 16;
   // lui 0; round r starts in 1 + 32 r; its bne is in 1 + 32 r + 18.

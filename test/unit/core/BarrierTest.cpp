@@ -79,8 +79,9 @@ TEST(Barrier, LastRunningThreadReleasesItByHalting) {
 TEST(Barrier, WorksAgainAndAgain) {
   // Barriers in 1, 16+1, ...: addi, barrier, in a loop of 5 by bne.
   Assembly A;
-  A("addi", 4, 0, 5).label("loop")("addi", 4, 4, -1)("barrier")(
-      "bne", 4, 0, "loop")("halt", 0);
+  A("addi", 4, 0, 5)
+      .label("loop")("addi", 4, 4, -1)("barrier")("bne", 4, 0, "loop")("halt",
+                                                                       0);
   Simulation S(quietChip(3, 3), A);
   // Round k continues with its bne in 16 (k + 1); the last halts in 81.
   EXPECT_EQ(S.cycles(), 82u);
@@ -99,9 +100,8 @@ TEST(Barrier, LossAtTheCycleLimitIsCut) {
 TEST(Halt, StatusIsTheFirstNonZeroInThreadOrder) {
   // Thread t halts with t > 1 ? t : 0, the highest first.
   Assembly A;
-  A("mfsr", 4, int(SpecialRegister::thread))("slti", 5, 4, 2)(
-      "movn", 4, 0, 5)("addi", 6, 0, 10)("sub", 6, 6, 4)("sleep", 6)(
-      "halt", 4);
+  A("mfsr", 4, int(SpecialRegister::thread))("slti", 5, 4, 2)("movn", 4, 0, 5)(
+      "addi", 6, 0, 10)("sub", 6, 6, 4)("sleep", 6)("halt", 4);
   Simulation S(quietChip(2, 2), A);
   RunResult Result = S.run();
   EXPECT_EQ(Result.End, RunResult::Halted);

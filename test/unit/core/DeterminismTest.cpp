@@ -20,21 +20,21 @@ namespace {
 /// stream, meet at barriers and print.
 Assembly contendedProgram() {
   Assembly A;
-  A("lui", 20, DataBegin >> 16)("addi", 21, 20, 0x100)("addi", 8, 0, 40)(
-      "addi", 23, 0, -256);
+  A("lui", 20, DataBegin >> 16)("addi", 21, 20, 0x100)("addi", 8, 0,
+                                                       40)("addi", 23, 0, -256);
   A.label("round");
   A("addi", 5, 0, 1)("atom_add", 4, 5, 20)("andi", 6, 4, 7)("sleep", 6);
   A("sll", 7, 6, 2)("add", 7, 7, 20)("lw", 9, 7, 64)("add", 9, 9, 4)(
-      "sw", 9, 7, 64)("sb", 4, 7, 65)("addi", 17, 7, 192)("atom_swap", 10, 9, 17);
+      "sw", 9, 7, 64)("sb", 4, 7, 65)("addi", 17, 7, 192)("atom_swap", 10, 9,
+                                                          17);
   A("andi", 11, 10, 3)("beq", 11, 0, "divide")("stream_push", 12, 4, 21)(
       "cvt_s_w", 1, 9)("mul_s", 2, 1, 1)("add_s", 3, 2, 1)("j", "next");
-  A.label("divide")("stream_pop", 12, 21)("cvt_s_w", 1, 10)("rcp_s", 2, 1)(
-      "div_s", 3, 2, 1);
+  A.label("divide")("stream_pop", 12, 21)("cvt_s_w", 1,
+                                          10)("rcp_s", 2, 1)("div_s", 3, 2, 1);
   A.label("next")("swc1", 3, 7, 128)("xor", 13, 12, 9)("sw", 13, 23, 0)(
       "andi", 14, 4, 31)("bne", 14, 0, "quiet");
-  A("addi", 15, 4, 0)("andi", 16, 15, 63)("addi", 16, 16, 48)(
-      "sb", 16, 23, 4)("addi", 4, 0, 1)("addi", 5, 23, 4)("addi", 6, 0, 1)(
-      "hostcall", 0);
+  A("addi", 15, 4, 0)("andi", 16, 15, 63)("addi", 16, 16, 48)("sb", 16, 23, 4)(
+      "addi", 4, 0, 1)("addi", 5, 23, 4)("addi", 6, 0, 1)("hostcall", 0);
   A.label("quiet")("prof", 5)("addi", 8, 8, -1)("andi", 14, 8, 7)(
       "bne", 14, 0, "on")("barrier");
   A.label("on")("bne", 8, 0, "round")("halt", 0);

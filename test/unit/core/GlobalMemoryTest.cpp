@@ -22,8 +22,8 @@ TEST(GlobalMemory, StoresBecomeVisibleAtTheEndOfTheWindow) {
   Assembly A;
   A("mfsr", 4, Thread)("lui", 20, DataHigh)("addi", 5, 0, 7)(
       "bne", 4, 0, "reader")("sw", 5, 20, 0)("halt", 0);
-  A.label("reader").repeat(11, "lw", 6, 20, 0)("lw", 7, 20, 0)("lw", 8, 20, 0)(
-      "halt", 0);
+  A.label("reader").repeat(11, "lw", 6, 20, 0)("lw", 7, 20, 0)("lw", 8, 20,
+                                                               0)("halt", 0);
   for (uint32_t Tms : {1u, 2u}) {
     Simulation S(quietChip(Tms, 2 / Tms), A);
     S.cycles();
@@ -142,8 +142,8 @@ TEST(GlobalMemory, LoadOfOwnPendingAtomicWaitsForTheWindow) {
   // lui 0, atom_add 1, lw waits from 2 to 16 (14 lost to memory), addi waits
   // from 17 to 36 (19 lost), halt 37.
   Assembly A;
-  A("lui", 20, DataHigh)("atom_add", 4, 20, 20)("lw", 5, 20, 0)(
-      "addi", 6, 5, 0)("halt", 0);
+  A("lui", 20, DataHigh)("atom_add", 4, 20, 20)("lw", 5, 20, 0)("addi", 6, 5,
+                                                                0)("halt", 0);
   Simulation S(quietChip(1, 1), A);
   S.setWord(DataBegin, 5);
   EXPECT_EQ(S.cycles(), 38u);
@@ -155,8 +155,8 @@ TEST(GlobalMemory, LoadOfOwnPendingAtomicWaitsForTheWindow) {
 TEST(GlobalMemory, StoreAfterOwnAtomicIsForwardedWithoutWaiting) {
   // lui 0, atom_add 1, sw 2, lw 3, halt 4.
   Assembly A;
-  A("lui", 20, DataHigh)("atom_add", 4, 20, 20)("sw", 20, 20, 0)(
-      "lw", 5, 20, 0)("halt", 0);
+  A("lui", 20, DataHigh)("atom_add", 4, 20, 20)("sw", 20, 20, 0)("lw", 5, 20,
+                                                                 0)("halt", 0);
   Simulation S(quietChip(1, 1), A);
   EXPECT_EQ(S.cycles(), 5u);
   EXPECT_EQ(S.registerOf(0, 5), DataBegin);
@@ -206,8 +206,7 @@ TEST(GlobalMemory, StreamsHandOutEachWordOnce) {
 TEST(GlobalMemory, LoadAfterOwnStreamOperationWaitsForTheWindow) {
   // lui 0, push 1, lw of anything global waits from 2 to 16, halt 17.
   Assembly A;
-  A("lui", 20, DataHigh)("stream_push", 6, 20, 20)("lw", 5, 20, 16)(
-      "halt", 0);
+  A("lui", 20, DataHigh)("stream_push", 6, 20, 20)("lw", 5, 20, 16)("halt", 0);
   Simulation S(quietChip(1, 1), A);
   S.setWord(DataBegin + 8, 1);
   EXPECT_EQ(S.cycles(), 18u);
@@ -220,8 +219,8 @@ TEST(GlobalMemory, HostCallsWriteInOrderAndWaitForTheWindow) {
   // counts is the contents at the call.
   Assembly A;
   A("mfsr", 4, Thread)("addi", 7, 4, 'a')("addi", 5, 0, -64)("sb", 7, 5, 0)(
-      "addi", 4, 0, 1)("addi", 6, 0, 1)("hostcall", 0)("sb", 0, 5, 0)(
-      "halt", 0);
+      "addi", 4, 0, 1)("addi", 6, 0, 1)("hostcall", 0)("sb", 0, 5, 0)("halt",
+                                                                      0);
   Simulation S(quietChip(2, 3), A);
   // hostcall in 6, sb in 16, halt 17.
   EXPECT_EQ(S.cycles(), 18u);

@@ -58,13 +58,15 @@ TEST_P(DependentChain, WaitsForEachResult) {
   EXPECT_EQ(S.statistics().DataStall[unsigned(Op)], 4 * (Latency - 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    LatencyClasses, DependentChain,
-    testing::Values(Chain{"add", 1}, Chain{"mul", 1}, Chain{"xor", 1},
-                    Chain{"add_s", 2}, Chain{"mul_s", 2}, Chain{"min_s", 1},
-                    Chain{"rcp_s", 16}, Chain{"sin_s", 16},
-                    Chain{"floor_s", 1}),
-    [](const auto &Info) { return std::string(Info.param.Mnemonic); });
+INSTANTIATE_TEST_SUITE_P(LatencyClasses, DependentChain,
+                         testing::Values(Chain{"add", 1}, Chain{"mul", 1},
+                                         Chain{"xor", 1}, Chain{"add_s", 2},
+                                         Chain{"mul_s", 2}, Chain{"min_s", 1},
+                                         Chain{"rcp_s", 16}, Chain{"sin_s", 16},
+                                         Chain{"floor_s", 1}),
+                         [](const auto &Info) {
+                           return std::string(Info.param.Mnemonic);
+                         });
 
 TEST(Issue, IntegerDivisionTakesItsLatency) {
   // addi 0, div 1, div waits for r5: 17, halt 18: 19 cycles, 15 lost.
@@ -107,8 +109,8 @@ TEST(Issue, LaterWriteSupersedesAnAtomicInFlight) {
   // As above with an atomic, whose old value arrives at the window's end:
   // lui 0, atom_add 1, addi 2, addi 3 (r4 is ready), halt 4.
   Assembly A;
-  A("lui", 20, DataBegin >> 16)("atom_add", 4, 20, 20)("addi", 4, 0, 7)(
-      "addi", 5, 4, 1);
+  A("lui", 20, DataBegin >> 16)("atom_add", 4, 20, 20)("addi", 4, 0,
+                                                       7)("addi", 5, 4, 1);
   Simulation S(quietChip(1, 1), halted(A));
   S.setWord(DataBegin, 99);
   EXPECT_EQ(S.cycles(), 5u);
@@ -219,8 +221,8 @@ TEST(Issue, CountersCountCyclesAndInstructions) {
   // four instructions before it; halt 20.
   Assembly A;
   A("mfsr", 4, int(SpecialRegister::cycle))("rcp_s", 4, 1)("mfc1", 5, 4)(
-      "mfsr", 6, int(SpecialRegister::cycle))(
-      "mfsr", 7, int(SpecialRegister::instret));
+      "mfsr", 6, int(SpecialRegister::cycle))("mfsr", 7,
+                                              int(SpecialRegister::instret));
   Simulation S(quietChip(1, 1), halted(A));
   EXPECT_EQ(S.cycles(), 21u);
   EXPECT_EQ(S.registerOf(0, 4), 0u);

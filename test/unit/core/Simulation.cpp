@@ -36,8 +36,7 @@ Simulation::Simulation(const ChipConfig &Chip, const Assembly &Source,
       Simulated(this->Chip, Text, Global) {
   EXPECT_EQ(Simulated.error(), "");
   Simulated.setHostThreads(HostThreads);
-  Simulated.setOutput(
-      [this](int, std::string_view Bytes) { Output += Bytes; });
+  Simulated.setOutput([this](int, std::string_view Bytes) { Output += Bytes; });
 }
 
 RunResult Simulation::run(uint64_t MaxCycles) {
@@ -65,8 +64,8 @@ void Simulation::expectConsistentStatistics() const {
   const Statistics &S = statistics();
   uint64_t Issued = 0, Waited = 0, Conflicts = 0;
   for (const ThreadStatistics &T : S.Threads) {
-    uint64_t Sum = std::accumulate(T.Lost.begin(), T.Lost.end(),
-                                   T.Instructions);
+    uint64_t Sum =
+        std::accumulate(T.Lost.begin(), T.Lost.end(), T.Instructions);
     EXPECT_EQ(Sum, S.Cycles);
     Issued += T.Instructions;
     Waited += T.Lost[unsigned(Loss::Data)] + T.Lost[unsigned(Loss::Memory)];

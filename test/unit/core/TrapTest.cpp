@@ -94,8 +94,8 @@ TEST(Traps, BadDataAddresses) {
 TEST(Traps, LastGoodAddressesAreGood) {
   Assembly A;
   A.constant(20, (1 << 20) - 4).constant(21, 0xFFFFFFEC);
-  A.constant(22, LocalBegin)("sw", 20, 20, 0)("sw", 20, 21, 0)(
-      "sw", 20, 22, 0)("sb", 20, 21, 3)("lw", 4, 20, 0)("halt", 0);
+  A.constant(22, LocalBegin)("sw", 20, 20, 0)("sw", 20, 21, 0)("sw", 20, 22, 0)(
+      "sb", 20, 21, 3)("lw", 4, 20, 0)("halt", 0);
   Simulation S(quietChip(1, 1), A);
   S.cycles();
 }
@@ -145,8 +145,7 @@ TEST(Traps, BadHostCalls) {
 TEST(Traps, TheFirstByCycleWins) {
   // Thread t breaks in cycle 3 + (3 - t): thread 3 is first.
   Assembly A;
-  A("mfsr", 4, Thread)("addi", 5, 0, 3)("sub", 5, 5, 4)("sleep", 5)(
-      "break", 9);
+  A("mfsr", 4, Thread)("addi", 5, 0, 3)("sub", 5, 5, 4)("sleep", 5)("break", 9);
   Simulation S(quietChip(2, 2), A);
   RunResult Result = S.run();
   ASSERT_TRUE(Result.TrapInfo);

@@ -32,8 +32,8 @@ void checkBranch(const char *Mnemonic, int64_t (*Extend)(uint32_t),
     for (uint32_t Right : IntegerEdges) {
       std::string Name = std::to_string(Number++);
       std::string Forward = "f" + Name, Back = "b" + Name, End = "e" + Name;
-      A.constant(11, Left).constant(12, Right)("addi", 10, 0, 1)(
-          "j", Forward.c_str());
+      A.constant(11, Left).constant(12, Right)("addi", 10, 0,
+                                               1)("j", Forward.c_str());
       A.label(Back)("j", End.c_str()).label(Forward);
       A(Mnemonic, 11, 12, Back.c_str())("addi", 10, 0, 0);
       A(Mnemonic, 11, 12, 8)("j", End.c_str())("addi", 10, 10, 2);
@@ -56,8 +56,8 @@ void checkBranchLink(const char *Mnemonic, bool WhenNegative) {
     Assembly A;
     A.constant(11, Value)("addi", 31, 0, 77);
     uint32_t Return = A.nextAddress() + 4;
-    A(Mnemonic, 11, "target")("halt", 0).label("target")("addi", 10, 0, 1)(
-        "halt", 0);
+    A(Mnemonic, 11, "target")("halt", 0).label("target")("addi", 10, 0,
+                                                         1)("halt", 0);
     Simulation S(quietChip(1, 1), A);
     S.cycles();
     bool Taken = (Value >= 0x80000000) == WhenNegative;
@@ -128,9 +128,8 @@ void checkBarrier() {
   // What each stores before the barrier all see after it.
   Assembly A;
   A("mfsr", 4, int(SpecialRegister::thread))("sll", 5, 4, 2)(
-      "lui", 20, DataBegin >> 16)("add", 21, 20, 5)("sll", 6, 4, 5)(
-      "sleep", 6)("addi", 6, 4, 1)("sw", 6, 21, 0)("barrier")(
-      "addi", 7, 0, 4);
+      "lui", 20, DataBegin >> 16)("add", 21, 20, 5)("sll", 6, 4, 5)("sleep", 6)(
+      "addi", 6, 4, 1)("sw", 6, 21, 0)("barrier")("addi", 7, 0, 4);
   A.label("sum")("lw", 8, 20, 0)("add", 9, 9, 8)("addi", 20, 20, 4)(
       "addi", 7, 7, -1)("bne", 7, 0, "sum")("halt", 0);
   Simulation S(quietChip(2, 2), A);
@@ -193,8 +192,7 @@ void checkMarkers() {
 void checkHostCall() {
   Assembly A;
   A.constant(5, DataBegin)("addi", 4, 0, 2)("addi", 6, 0, 5)("hostcall", 0)(
-      "addi", 7, 2, 0)("lui", 6, 1)("addi", 4, 0, 1)("hostcall", 0)(
-      "halt", 0);
+      "addi", 7, 2, 0)("lui", 6, 1)("addi", 4, 0, 1)("hostcall", 0)("halt", 0);
   Simulation S(quietChip(1, 1), A);
   EXPECT_TRUE(S.memory().write(DataBegin, "hello world", 11));
   S.cycles();
@@ -226,9 +224,7 @@ void addControlCases(InstructionCases &Cases) {
     Cases[Each.Branch] = [=] {
       checkBranch(Each.Branch, Each.Extend, Each.Holds);
     };
-    Cases[Each.Trap] = [=] {
-      checkTrap(Each.Trap, Each.Extend, Each.Holds);
-    };
+    Cases[Each.Trap] = [=] { checkTrap(Each.Trap, Each.Extend, Each.Holds); };
   }
   Cases["bltzal"] = [] { checkBranchLink("bltzal", true); };
   Cases["bgezal"] = [] { checkBranchLink("bgezal", false); };

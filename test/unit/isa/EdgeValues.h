@@ -27,15 +27,13 @@ inline constexpr uint32_t FloatEdges[] = {
     0x007FFFFF, // largest subnormal
     0x807FFFFF,
     0x00800000, // smallest normal
-    0x80800000,
-    0x00FFFFFF,
+    0x80800000, 0x00FFFFFF,
     0x3F800000, // 1
     0xBF800000,
     0x3F7FFFFF, // the one below 1
     0x3F800001,
     0x3F000000, // 0.5
-    0xBF000000,
-    0x3EFFFFFF,
+    0xBF000000, 0x3EFFFFFF,
     0x3FC00000, // 1.5
     0xBFC00000,
     0x40200000, // 2.5
@@ -46,8 +44,7 @@ inline constexpr uint32_t FloatEdges[] = {
     0x4B000001,
     0x4EFFFFFF, // the one below 2^31
     0x4F000000, // 2^31
-    0xCF000000,
-    0xCF000001,
+    0xCF000000, 0xCF000001,
     0x4F7FFFFF, // the one below 2^32
     0x4F800000, // 2^32
     0x5F000000,

@@ -90,7 +90,7 @@ OperandKind emit(Assembly &A, Opcode Op, const Inputs &In) {
       continue;
     }
     unsigned Register = Info.IsDestination ? Rd : Info.Name == "rs" ? Rs : Rt;
-    uint32_t Value = Info.IsDestination ? In.Old
+    uint32_t Value = Info.IsDestination  ? In.Old
                      : Info.Name == "rs" ? In.Rs
                                          : In.Rt;
     if (Info.IsDestination)
@@ -204,8 +204,8 @@ TEST_P(Execution, DecodingInvertsEncoding) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllOpcodes, Execution,
-                         testing::Range(0u, NumOpcodes), [](const auto &Info) {
+INSTANTIATE_TEST_SUITE_P(AllOpcodes, Execution, testing::Range(0u, NumOpcodes),
+                         [](const auto &Info) {
                            return std::string(mnemonic(Opcode(Info.param)));
                          });
 

@@ -93,16 +93,20 @@ uint32_t toInteger(uint32_t Bits, Rounding Mode, double Least, double Most) {
 void addFloatCases(InstructionCases &Cases) {
   auto Arithmetic = [&](const char *Mnemonic, auto Function,
                         uint32_t Ulps = 0) {
-    Cases[Mnemonic] = ValueCase{
-        [=](const Inputs &In) -> std::optional<uint32_t> {
-          return asBits(Function(asFloat(In.Rs), asFloat(In.Rt)));
-        },
-        true, Ulps};
+    Cases[Mnemonic] =
+        ValueCase{[=](const Inputs &In) -> std::optional<uint32_t> {
+                    return asBits(Function(asFloat(In.Rs), asFloat(In.Rt)));
+                  },
+                  true, Ulps};
   };
-  Arithmetic("add_s", [](float A, float B) { return float(Quad(A) + Quad(B)); });
-  Arithmetic("sub_s", [](float A, float B) { return float(Quad(A) - Quad(B)); });
-  Arithmetic("mul_s", [](float A, float B) { return float(Quad(A) * Quad(B)); });
-  Arithmetic("div_s", [](float A, float B) { return float(Quad(A) / Quad(B)); });
+  Arithmetic("add_s",
+             [](float A, float B) { return float(Quad(A) + Quad(B)); });
+  Arithmetic("sub_s",
+             [](float A, float B) { return float(Quad(A) - Quad(B)); });
+  Arithmetic("mul_s",
+             [](float A, float B) { return float(Quad(A) * Quad(B)); });
+  Arithmetic("div_s",
+             [](float A, float B) { return float(Quad(A) / Quad(B)); });
   Arithmetic("rcp_s", [](float A, float) { return float(Quad(1) / Quad(A)); });
   Arithmetic("sqrt_s", [](float A, float) {
     return float(std::sqrt(static_cast<long double>(A)));
@@ -126,11 +130,11 @@ void addFloatCases(InstructionCases &Cases) {
       1);
 
   auto Value = [&](const char *Mnemonic, auto Function, bool Flushes = true) {
-    Cases[Mnemonic] = ValueCase{
-        [=](const Inputs &In) -> std::optional<uint32_t> {
-          return uint32_t(Function(In));
-        },
-        Flushes};
+    Cases[Mnemonic] =
+        ValueCase{[=](const Inputs &In) -> std::optional<uint32_t> {
+                    return uint32_t(Function(In));
+                  },
+                  Flushes};
   };
   Value("min_s", [](auto &In) { return extreme(In.Rs, In.Rt, false); });
   Value("max_s", [](auto &In) { return extreme(In.Rs, In.Rt, true); });

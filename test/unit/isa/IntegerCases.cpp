@@ -31,14 +31,12 @@ template <class Function> uint32_t eachBit(Function F) {
 }
 
 uint32_t shiftLeft(uint32_t Value, int64_t Amount) {
-  return eachBit(
-      [=](int I) { return I >= Amount && bit(Value, I - Amount); });
+  return eachBit([=](int I) { return I >= Amount && bit(Value, I - Amount); });
 }
 
 uint32_t shiftRight(uint32_t Value, int64_t Amount, bool Fill) {
-  return eachBit([=](int I) {
-    return I + Amount <= 31 ? bit(Value, I + Amount) : Fill;
-  });
+  return eachBit(
+      [=](int I) { return I + Amount <= 31 ? bit(Value, I + Amount) : Fill; });
 }
 
 uint32_t rotateRight(uint32_t Value, int64_t Amount) {
@@ -70,8 +68,8 @@ uint32_t negateIf(bool Negative, uint32_t Value) {
 
 void addIntegerCases(InstructionCases &Cases) {
   auto Value = [&](const char *Mnemonic, auto Function) {
-    Cases[Mnemonic] = ValueCase{
-        [=](const Inputs &In) -> std::optional<uint32_t> {
+    Cases[Mnemonic] =
+        ValueCase{[=](const Inputs &In) -> std::optional<uint32_t> {
           return Function(In);
         }};
   };
@@ -79,30 +77,26 @@ void addIntegerCases(InstructionCases &Cases) {
   Value("add", [](auto &In) { return uint32_t(sign(In.Rs) + sign(In.Rt)); });
   Value("addi", [](auto &In) { return uint32_t(sign(In.Rs) + In.First); });
   Value("sub", [](auto &In) { return uint32_t(sign(In.Rs) - sign(In.Rt)); });
-  Value("addc", [](auto &In) {
-    return uint32_t((Wide(In.Rs) + Wide(In.Rt)) >> 32);
-  });
+  Value("addc",
+        [](auto &In) { return uint32_t((Wide(In.Rs) + Wide(In.Rt)) >> 32); });
   Value("subc",
         [](auto &In) { return uint32_t(Wide(In.Rs) - Wide(In.Rt) < 0); });
   Value("slt", [](auto &In) { return uint32_t(sign(In.Rs) < sign(In.Rt)); });
-  Value("sltu",
-        [](auto &In) { return uint32_t(Wide(In.Rs) < Wide(In.Rt)); });
+  Value("sltu", [](auto &In) { return uint32_t(Wide(In.Rs) < Wide(In.Rt)); });
   Value("slti", [](auto &In) { return uint32_t(sign(In.Rs) < In.First); });
   Value("sltiu", [](auto &In) {
     Wide Limit = In.First < 0 ? In.First + (Wide(1) << 32) : Wide(In.First);
     return uint32_t(Wide(In.Rs) < Limit);
   });
   Value("mul", [](auto &In) { return uint32_t(sign(In.Rs) * sign(In.Rt)); });
-  Value("mulh", [](auto &In) {
-    return uint32_t((sign(In.Rs) * sign(In.Rt)) >> 32);
-  });
-  Value("mulhu", [](auto &In) {
-    return uint32_t((Wide(In.Rs) * Wide(In.Rt)) >> 32);
-  });
+  Value("mulh",
+        [](auto &In) { return uint32_t((sign(In.Rs) * sign(In.Rt)) >> 32); });
+  Value("mulhu",
+        [](auto &In) { return uint32_t((Wide(In.Rs) * Wide(In.Rt)) >> 32); });
 
   auto Division = [&](const char *Mnemonic, auto Function) {
-    Cases[Mnemonic] = ValueCase{
-        [=](const Inputs &In) -> std::optional<uint32_t> {
+    Cases[Mnemonic] =
+        ValueCase{[=](const Inputs &In) -> std::optional<uint32_t> {
           if (In.Rt == 0)
             return std::nullopt;
           return Function(In);
@@ -144,9 +138,8 @@ void addIntegerCases(InstructionCases &Cases) {
   Value("rotr", [](auto &In) { return rotateRight(In.Rs, In.First); });
   Value("sllv", [](auto &In) { return shiftLeft(In.Rs, In.Rt % 32); });
   Value("srlv", [](auto &In) { return shiftRight(In.Rs, In.Rt % 32, false); });
-  Value("srav", [](auto &In) {
-    return shiftRight(In.Rs, In.Rt % 32, bit(In.Rs, 31));
-  });
+  Value("srav",
+        [](auto &In) { return shiftRight(In.Rs, In.Rt % 32, bit(In.Rs, 31)); });
   Value("rotrv", [](auto &In) { return rotateRight(In.Rs, In.Rt % 32); });
 
   Value("clz", [](auto &In) {

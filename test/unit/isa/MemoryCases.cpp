@@ -114,8 +114,8 @@ void addStore(InstructionCases &Cases, AccessShape Shape) {
   Cases[Shape.Indexed] = [=] { checkStore(Shape, true); };
 }
 
-using NewWord = std::function<uint32_t(uint32_t Old, uint32_t Operand,
-                                       uint32_t Expected)>;
+using NewWord =
+    std::function<uint32_t(uint32_t Old, uint32_t Operand, uint32_t Expected)>;
 
 /// Runs the atomic on global memory and on the local store over all pairs of
 /// edge values; the destination holds \p Expected before.
@@ -128,8 +128,8 @@ void checkAtomic(const char *Mnemonic, const NewWord &Function) {
         // The destination is the old value for some, another for the others.
         A.constant(9, Old)("sw", 9, 20, 0).constant(11, Operand);
         A.constant(10, Operand % 2 ? Old : Old + 1)(Mnemonic, 10, 11, 20)(
-            "lw", 12, 20, 0)("sw", 10, 21, 0)("sw", 12, 21, 4)(
-            "addi", 21, 21, 8);
+            "lw", 12, 20, 0)("sw", 10, 21, 0)("sw", 12, 21, 4)("addi", 21, 21,
+                                                               8);
       }
       A("halt", 0);
       Simulation S(quietChip(1, 1), A);
