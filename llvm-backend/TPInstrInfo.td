@@ -179,7 +179,7 @@ def SEH : IntegerRR<42, "seh",
 def EXT : FormatR<OpInteger, 43, (outs GPR:$rd),
                   (ins GPR:$rs, uimm5:$lowest, uimm5:$highest), "ext",
                   "$rd, $rs, $lowest, $highest", [], Bitwise,
-                  "rd = bits lowest..highest of rs, zero-extended"> {
+                  "rd = bits lowest..highest of rs, zero-extended (lowest <= highest)"> {
   bits<5> rd;
   bits<5> rs;
   bits<5> lowest;
@@ -192,7 +192,7 @@ def EXT : FormatR<OpInteger, 43, (outs GPR:$rd),
 def INS : FormatR<OpInteger, 44, (outs GPR:$rd),
                   (ins GPR:$rdold, GPR:$rs, uimm5:$lowest, uimm5:$highest),
                   "ins", "$rd, $rs, $lowest, $highest", [], Bitwise,
-                  "bits lowest..highest of rd = low bits of rs; the rest stays"> {
+                  "bits lowest..highest of rd = low bits of rs (lowest <= highest)"> {
   bits<5> rd;
   bits<5> rs;
   bits<5> lowest;
