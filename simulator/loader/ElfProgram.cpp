@@ -75,8 +75,8 @@ llvm::Error ElfProgram::readHeader() {
     return error("is not an executable; link it with tpcc");
   Entry = Header.e_entry;
 
-  auto File = object::ObjectFile::createELFObjectFile(Buffer->getMemBufferRef(),
-                                                      /*InitContent=*/false);
+  auto File =
+      object::ObjectFile::createELFObjectFile(Buffer->getMemBufferRef());
   if (!File)
     return error("is cut off or damaged: " + toString(File.takeError()));
   Object = std::move(*File);
