@@ -1,4 +1,4 @@
-//===- EngineMedium.cpp - Engine for 128-bit resource words -------------===//
+//===- EngineMedium.cpp - Engine for 128-bit resource words ---------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,5 +1,4 @@
-//===- EngineMediumFlush.cpp - Engine for 128-bit resource words, flush to zero
-//===//
+//===- EngineMediumFlush.cpp - Engine for 128-bit words, flush to zero ----===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

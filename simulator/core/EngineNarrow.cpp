@@ -1,4 +1,4 @@
-//===- EngineNarrow.cpp - Engine for 64-bit resource words --------------===//
+//===- EngineNarrow.cpp - Engine for 64-bit resource words ----------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

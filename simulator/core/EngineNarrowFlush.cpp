@@ -1,5 +1,4 @@
-//===- EngineNarrowFlush.cpp - Engine for 64-bit resource words, flush to zero
-//===//
+//===- EngineNarrowFlush.cpp - Engine for 64-bit words, flush to zero -----===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- EngineWide.cpp - Engine for wide resource words ------------------===//
+//===- EngineWide.cpp - Engine for wide resource words --------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
