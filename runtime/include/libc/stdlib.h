@@ -52,9 +52,13 @@ div_t div(int A, int B);
 ldiv_t ldiv(long A, long B);
 lldiv_t lldiv(long long A, long long B);
 
+double atof(const char *Text);
 int atoi(const char *Text);
 long atol(const char *Text);
 long long atoll(const char *Text);
+double strtod(const char *__restrict Text, char **__restrict End);
+float strtof(const char *__restrict Text, char **__restrict End);
+long double strtold(const char *__restrict Text, char **__restrict End);
 long strtol(const char *__restrict Text, char **__restrict End, int Base);
 unsigned long strtoul(const char *__restrict Text, char **__restrict End,
                       int Base);

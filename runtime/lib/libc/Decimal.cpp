@@ -44,8 +44,59 @@ Decimal::Decimal(double Value) {
     divideByPowerOfTwo(static_cast<unsigned>(-Exponent));
 }
 
+void Decimal::append(unsigned Digit, int Power) {
+  if (Digit == 0)
+    return;
+  int Above = wordsAboveUnits(Power);
+  int Index = UnitsWord - Above;
+  if (Index >= NumWords) {
+    Words[NumWords - 1] |= 1;
+    End = NumWords;
+    return;
+  }
+  if (isZero())
+    Begin = Index;
+  End = Index + 1;
+  Words[Index] += Digit * PowersOfTen[Power - Above * DigitsPerWord];
+}
+
+/// For numbers below 10^18.
+uint64_t Decimal::wholePart() const {
+  return static_cast<uint64_t>(Words[UnitsWord - 1]) * Base + Words[UnitsWord];
+}
+
+Decimal::Binary Decimal::toBinary(int Bits, int MinExponent) {
+  if (isZero())
+    return {0, 0};
+  uint64_t Limit = uint64_t(1) << Bits;
+  int Exponent = 0;
+  for (;;) {
+    int Power = exponent();
+    // A decimal digit is more than three bits.
+    if (Power >= 17) {
+      unsigned Step = static_cast<unsigned>(Power - 16) * 3;
+      divideByPowerOfTwo(Step);
+      Exponent += static_cast<int>(Step);
+    } else if (uint64_t Whole = wholePart(); Whole >= Limit) {
+      divideByPowerOfTwo(1);
+      ++Exponent;
+    } else if (Whole < Limit / 2 && Exponent > MinExponent) {
+      int Step = Power < 0 ? -Power * 3 : 1;
+      if (Step > Exponent - MinExponent)
+        Step = Exponent - MinExponent;
+      multiplyByPowerOfTwo(static_cast<unsigned>(Step));
+      Exponent -= Step;
+    } else {
+      break;
+    }
+  }
+  round(0);
+  return {wholePart(), Exponent};
+}
+
 void Decimal::multiplyByPowerOfTwo(unsigned Power) {
-  End = UnitsWord + 1;
+  if (End <= UnitsWord)
+    End = UnitsWord + 1;
   while (Power != 0) {
     unsigned Step = Power < 29 ? Power : 29;
     uint32_t Carry = 0;
@@ -62,7 +113,8 @@ void Decimal::multiplyByPowerOfTwo(unsigned Power) {
 }
 
 void Decimal::divideByPowerOfTwo(unsigned Power) {
-  End = UnitsWord + 1;
+  if (End <= UnitsWord)
+    End = UnitsWord + 1;
   while (Power != 0) {
     // 10^9 is a multiple of 2^9.
     unsigned Step = Power < 9 ? Power : 9;
@@ -73,8 +125,11 @@ void Decimal::divideByPowerOfTwo(unsigned Power) {
       Words[I] = (Word >> Step) + Rest * Scale;
       Rest = Word & ((1u << Step) - 1);
     }
-    if (Rest != 0)
+    // A double's own digits always fit.
+    if (Rest != 0 && End != NumWords)
       Words[End++] = Rest * Scale;
+    else if (Rest != 0)
+      Words[End - 1] |= 1;
     if (Words[Begin] == 0)
       ++Begin;
     Power -= Step;

@@ -11,11 +11,27 @@
 
 namespace tp {
 
-/// All decimal digits of a finite double's magnitude; at most 309 before and
-/// 1074 behind the point.
+/// A number between 0 and 10^310 in decimal digits: a finite double's magnitude
+/// with all of them, or what a text says.
 class Decimal {
 public:
+  /// Zero, for append().
+  Decimal() : Begin(0), End(0) {}
   explicit Decimal(double Value);
+
+  /// Adds \p Digit * 10^\p Power, for powers from 309 on in descending order.
+  /// Digits below 10^-1080 are only told from zeros.
+  void append(unsigned Digit, int Power);
+
+  /// A whole number times a power of two.
+  struct Binary {
+    uint64_t Whole;
+    int Exponent;
+  };
+
+  /// The number rounded to \p Bits bits, ties to even, or fewer bits so that
+  /// the exponent is at least \p MinExponent. Changes the digits.
+  Binary toBinary(int Bits, int MinExponent);
 
   bool isZero() const { return Begin == End; }
 
@@ -36,6 +52,7 @@ private:
   void multiplyByPowerOfTwo(unsigned Power);
   void divideByPowerOfTwo(unsigned Power);
   void strip();
+  uint64_t wholePart() const;
 
   /// Words of 9 digits, the most significant first. Words[UnitsWord] counts
   /// ones; those behind it are the fraction.
