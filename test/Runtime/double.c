@@ -1,10 +1,10 @@
-/* Software doubles on the chip against the host's, by their bits. */
-/* RUN: %host_cc -w -O1 -ffp-contract=off %s -o %t.host -lm */
-/* RUN: %t.host > %t.expected */
-/* RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out */
-/* RUN: diff %t.expected %t.out */
-/* RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out */
-/* RUN: diff %t.expected %t0.out */
+// Software doubles on the chip against the host's, by their bits.
+// RUN: %host_cc -w -O1 -ffp-contract=off %s -o %t.host -lm
+// RUN: %t.host > %t.expected
+// RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out
+// RUN: diff %t.expected %t.out
+// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out
+// RUN: diff %t.expected %t0.out
 
 #include <math.h>
 #include <stdint.h>

@@ -49,7 +49,8 @@ int main() {
   W[1].Words[15] = Id;
   check(W[1].Words[15] == Id);
   delete[] W;
-  check(malloc(0xF0000000u) == nullptr);
+  void *volatile Huge = malloc(0xF0000000u);
+  check(Huge == nullptr);
   tp::barrier();
   if (Id == 0)
     printf("%u wrong\n", Wrong);

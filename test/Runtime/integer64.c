@@ -1,9 +1,9 @@
-/* 64-bit arithmetic on the chip against the host's. */
-/* RUN: %host_cc -w -O1 %s -o %t.host && %t.host > %t.expected */
-/* RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out */
-/* RUN: diff %t.expected %t.out */
-/* RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out */
-/* RUN: diff %t.expected %t0.out */
+// 64-bit arithmetic on the chip against the host's.
+// RUN: %host_cc -w -O1 %s -o %t.host && %t.host > %t.expected
+// RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out
+// RUN: diff %t.expected %t.out
+// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out
+// RUN: diff %t.expected %t0.out
 
 #include <stdint.h>
 #include <stdio.h>

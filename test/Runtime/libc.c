@@ -1,9 +1,9 @@
-/* Strings, memory, sorting and numbers from text, against the host's. */
-/* RUN: %host_cc -w -O1 %s -o %t.host && %t.host > %t.expected */
-/* RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out */
-/* RUN: diff %t.expected %t.out */
-/* RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out */
-/* RUN: diff %t.expected %t0.out */
+// Strings, memory, sorting and numbers from text, against the host's.
+// RUN: %host_cc -w -O1 %s -o %t.host && %t.host > %t.expected
+// RUN: tpcc -O2 %s -o %t.elf && tpsim --chip 1x1 --quiet %t.elf > %t.out
+// RUN: diff %t.expected %t.out
+// RUN: tpcc -O0 %s -o %t0.elf && tpsim --chip 1x1 --quiet %t0.elf > %t0.out
+// RUN: diff %t.expected %t0.out
 
 #include <ctype.h>
 #include <errno.h>

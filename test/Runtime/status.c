@@ -1,8 +1,8 @@
-/* The program's status is the first one, by thread, that is not 0. */
-/* RUN: tpcc -O2 %s -o %t.elf */
-/* RUN: tpsim --chip 1x1 --quiet %t.elf */
-/* RUN: not tpsim --chip 4x32 --quiet %t.elf */
-/* RUN: %python %S/Inputs/expect_status.py 7 tpsim --chip 4x32 --quiet %t.elf */
+// The program's status is the first one, by thread, that is not 0.
+// RUN: tpcc -O2 %s -o %t.elf
+// RUN: tpsim --chip 1x1 --quiet %t.elf
+// RUN: not tpsim --chip 4x32 --quiet %t.elf
+// RUN: %python %S/Inputs/expect_status.py 7 tpsim --chip 4x32 --quiet %t.elf
 
 #include <stdlib.h>
 
