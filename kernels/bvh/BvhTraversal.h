@@ -5,9 +5,9 @@
 //===----------------------------------------------------------------------===//
 //
 // Written for an in-order processor whose loads take long but do not block: all
-// words of a node or triangle are asked for before the first is used. The two
-// queries are functions of their own, so that their loops have all registers,
-// and everything in the loops is inlined.
+// words of a node or triangle are asked for before the first is used.
+// Everything is inlined into the kernel: a call would move its operands through
+// memory.
 //
 //===----------------------------------------------------------------------===//
 
@@ -246,9 +246,8 @@ TP_KERNEL_INLINE void intersectLeaf(const TriangleRecord *Triangles,
 }
 
 /// The first triangle that \p R meets before \p MaxDistance.
-[[gnu::noinline]] inline Hit findClosestHit(const SceneView &Scene,
-                                            BvhReference Root, Ray R,
-                                            float MaxDistance) {
+TP_KERNEL_INLINE Hit findClosestHit(const SceneView &Scene, BvhReference Root,
+                                    Ray R, float MaxDistance) {
   const char *const Nodes = Scene.Nodes;
   const TriangleRecord *const Triangles = Scene.Triangles;
   const RayBoxTester Boxes(R);
@@ -274,8 +273,8 @@ TP_KERNEL_INLINE void intersectLeaf(const TriangleRecord *Triangles,
 
 /// Whether \p R meets any triangle before \p MaxDistance. Takes the children of
 /// a node in the order of memory: sorting would cost more than it saves.
-[[gnu::noinline]] inline bool
-isBlocked(const SceneView &Scene, BvhReference Root, Ray R, float MaxDistance) {
+TP_KERNEL_INLINE bool isBlocked(const SceneView &Scene, BvhReference Root,
+                                Ray R, float MaxDistance) {
   const char *const Nodes = Scene.Nodes;
   const TriangleRecord *const Triangles = Scene.Triangles;
   const RayBoxTester Boxes(R);

@@ -147,7 +147,10 @@ std::vector<uint8_t> flattenScene(const Scene &Source) {
   std::vector<MaterialRecord> Materials;
   for (const Material &Surface : Source.Materials)
     Materials.push_back({Surface.Emission, 0});
-  const LightTable Lights = makeLightTable(Source);
+  LightTable Lights = makeLightTable(Source);
+  Header.LightCount = uint32_t(Lights.Records.size());
+  Lights.Records.resize(std::max<size_t>(Lights.Records.size(), 1));
+  Lights.Choices.resize(Lights.Records.size());
 
   BlockWriter Block;
   Header.Version = kSceneVersion;
@@ -159,7 +162,6 @@ std::vector<uint8_t> flattenScene(const Scene &Source) {
   Header.MaterialCount = uint32_t(Materials.size());
   Header.LightsOffset = Block.append(Lights.Records);
   Header.LightChoicesOffset = Block.append(Lights.Choices);
-  Header.LightCount = uint32_t(Lights.Records.size());
   Header.Camera = makeCamera(Source.Camera);
   // A hit point errs by some 2^-22 of the largest coordinate.
   Header.SurfaceOffset = Largest * 0x1p-16f;

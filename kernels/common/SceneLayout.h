@@ -132,7 +132,8 @@ struct SceneHeader {
   uint32_t MaterialCount;
   uint32_t LightsOffset;
   uint32_t LightChoicesOffset;
-  /// Of both arrays; 0 in a scene without light.
+  /// Of both arrays. 0 in a scene without light; then both hold one light that
+  /// emits nothing, so that a kernel may read it before it looks here.
   uint32_t LightCount;
   /// The root of the BVH; a leaf if the scene has few triangles.
   BvhReference Root;

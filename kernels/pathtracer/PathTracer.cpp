@@ -37,11 +37,19 @@ struct Vertex {
   Vector3 BaseColor;
 };
 
+/// A random point of the lights.
+struct LightPoint {
+  Vector3 Position;
+  Vector3 UnitNormal;
+  Vector3 Emission;
+};
+
 class PathTracer {
 public:
   explicit PathTracer(const LaunchBlock &Launch)
       : Scene(devicePointer<const void>(Launch.Scene)),
-        Root(Scene.Header->Root), LightCount(Scene.Header->LightCount),
+        Camera(Scene.Header->Camera), Root(Scene.Header->Root),
+        LightCount(Scene.Header->LightCount),
         SurfaceOffset(Scene.Header->SurfaceOffset),
         LightScale(Scene.Header->LightScale),
         SamplesPerPixel(Launch.SamplesPerPixel), MaxDepth(Launch.MaxDepth),
@@ -66,9 +74,11 @@ private:
   Vector3 tracePath(Ray R, uint32_t Pixel, uint32_t Sample);
   Vertex makeVertex(const Ray &R, const Hit &Found,
                     const TriangleRecord &Triangle) const;
-  Vector3 sampleLights(const Vertex &At, RandomWords Random);
+  LightPoint samplePoint(RandomWords Random) const;
+  Vector3 reflectLight(const Vertex &At, const LightPoint &Light);
 
   const SceneView Scene;
+  const CameraRecord Camera;
   const BvhReference Root;
   const uint32_t LightCount;
   const float SurfaceOffset;
@@ -87,7 +97,6 @@ private:
 /// A ray through a random point of the pixel.
 Ray PathTracer::primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel,
                            uint32_t Sample) const {
-  const CameraRecord &Camera = Scene.Header->Camera;
   const RandomWords Random = randomWords(Pixel, Sample, 0, Seed);
   const float Column = static_cast<float>(static_cast<int>(X));
   const float Row = static_cast<float>(static_cast<int>(Y));
@@ -109,22 +118,23 @@ Vertex PathTracer::makeVertex(const Ray &R, const Hit &Found,
   return Result;
 }
 
-/// The radiance that the surface reflects of the light from one random point of
-/// the lights, for a white surface. The BRDF's 1 / pi and the density of the
-/// point are in LightScale.
-Vector3 PathTracer::sampleLights(const Vertex &At, RandomWords Random) {
+/// A point of the lights, uniform by area.
+LightPoint PathTracer::samplePoint(RandomWords Random) const {
   const RandomChoice Cell = chooseIndex(Random.X, LightCount);
   const LightChoice Choice = Scene.LightChoices[Cell.Index];
   const bool Keep = Cell.Remainder < Choice.Keep;
   const LightRecord &Light = Scene.Lights[Keep ? Cell.Index : Choice.Alias];
-  const Vector3 Emission = Light.Emission;
-  const Vector3 LightNormal = Light.UnitNormal;
-  const Vector3 Point = sampleTriangle(Light.Vertex, Light.Edges[0],
-                                       Light.Edges[1], Random.Y, Random.Z);
+  return {sampleTriangle(Light.Vertex, Light.Edges[0], Light.Edges[1], Random.Y,
+                         Random.Z),
+          Light.UnitNormal, Light.Emission};
+}
 
-  const Ray Shadow{At.Origin, Point - At.Origin};
+/// The radiance of the light's point that the surface reflects if it is white.
+/// The BRDF's 1 / pi and the density of the point are in LightScale.
+Vector3 PathTracer::reflectLight(const Vertex &At, const LightPoint &Light) {
+  const Ray Shadow{At.Origin, Light.Position - At.Origin};
   const float CosineHere = dot(At.UnitNormal, Shadow.Direction);
-  const float CosineThere = fabs(dot(LightNormal, Shadow.Direction));
+  const float CosineThere = fabs(dot(Light.UnitNormal, Shadow.Direction));
   const float DistanceSquared = dot(Shadow.Direction, Shadow.Direction);
   // Below the horizon, or the light seen from its edge. Both cosines still have
   // the distance as a factor.
@@ -137,7 +147,7 @@ Vector3 PathTracer::sampleLights(const Vertex &At, RandomWords Random) {
     return {};
   const float Geometry =
       CosineHere * CosineThere / (DistanceSquared * DistanceSquared);
-  return Emission * (Geometry * LightScale);
+  return Light.Emission * (Geometry * LightScale);
 }
 
 /// The radiance that arrives along \p R from the scene.
@@ -149,20 +159,22 @@ Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
     const Hit Found = findClosestHit(Scene, Root, R, Farthest);
     if (Found.Triangle == kNoTriangle)
       return Radiance;
+    // Everything that a vertex may need is loaded before the first decision, to
+    // wait for memory twice instead of four times. Dimension 0 is the camera's;
+    // there are two events at each vertex.
     const TriangleRecord &Triangle = Scene.Triangles[Found.Triangle];
+    const LightPoint Light =
+        samplePoint(randomWords(Pixel, Sample, 2 * Depth - 1, Seed));
+    const Vector3 Emission = Scene.Materials[Triangle.Material].Emission;
     const Vertex At = makeVertex(R, Found, Triangle);
-    if (Depth == 1)
-      Radiance = Scene.Materials[Triangle.Material].Emission;
+    const float EmissionShare = Depth == 1 ? 1.0f : 0.0f;
+    Radiance = Radiance + Emission * EmissionShare;
 
     Throughput = Throughput * At.BaseColor;
     if (Throughput.X + Throughput.Y + Throughput.Z == 0.0f)
       return Radiance;
-    // Dimension 0 is the camera's; two events at each vertex.
     if (LightCount != 0)
-      Radiance =
-          Radiance +
-          Throughput *
-              sampleLights(At, randomWords(Pixel, Sample, 2 * Depth - 1, Seed));
+      Radiance = Radiance + Throughput * reflectLight(At, Light);
     if (Depth == MaxDepth)
       return Radiance;
     const RandomWords Bounce = randomWords(Pixel, Sample, 2 * Depth, Seed);
