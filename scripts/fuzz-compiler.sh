@@ -3,7 +3,7 @@
 #
 # Compares csmith programs on the simulated 1x1 chip with their native run:
 #   scripts/fuzz-compiler.sh [N] [--first SEED] [--levels "-O0 -O2"]
-#                            [--keep DIRECTORY]
+#                            [--keep DIRECTORY] [--tools DIRECTORY]
 # N programs (default 100) are compared, each at every level; those that run
 # for long even natively do not count. A failing program stays in the directory
 # (default out/fuzz) with its command line and both outputs. Exit status 1 if
@@ -11,15 +11,16 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-count=100 first=1 levels="-O0 -O2" keep=out/fuzz
+count=100 first=1 levels="-O0 -O2" keep=out/fuzz tools=build/bin
 while [ $# -gt 0 ]; do
   case "$1" in
-  --first | --levels | --keep)
+  --first | --levels | --keep | --tools)
     [ $# -ge 2 ] || { echo "error: $1 needs a value" >&2; exit 1; }
     case "$1" in
     --first) first=$2 ;;
     --levels) levels=$2 ;;
     --keep) keep=$2 ;;
+    --tools) tools=$2 ;;
     esac
     shift 2 ;;
   *[!0-9]* | "")
@@ -29,8 +30,8 @@ while [ $# -gt 0 ]; do
   *) count=$1; shift ;;
   esac
 done
-for tool in build/bin/tpcc build/bin/tpsim; do
-  [ -x $tool ] || { echo "error: $tool is missing; run scripts/build.sh" >&2; exit 1; }
+for tool in "$tools/tpcc" "$tools/tpsim"; do
+  [ -x "$tool" ] || { echo "error: $tool is missing; run scripts/build.sh" >&2; exit 1; }
 done
 mkdir -p "$keep"
 
@@ -51,11 +52,11 @@ compare() {
     -o "$work/native" || return 2
   timeout 1 "$work/native" >"$work/expected" 2>&1 || return 2
   for level in $levels; do
-    local compile="build/bin/tpcc -w $level -I /usr/include/csmith program.c"
-    if ! build/bin/tpcc -w $level -I /usr/include/csmith "$work/program.c" \
+    local compile="$tools/tpcc -w $level -I /usr/include/csmith program.c"
+    if ! "$tools/tpcc" -w $level -I /usr/include/csmith "$work/program.c" \
         -o "$work/program.elf" >"$work/log" 2>&1; then
       status=1
-    elif ! timeout 300 build/bin/tpsim "$work/program.elf" --chip 1x1 --quiet \
+    elif ! timeout 300 "$tools/tpsim" "$work/program.elf" --chip 1x1 --quiet \
         >"$work/actual" 2>"$work/log"; then
       status=1
     elif ! cmp -s "$work/expected" "$work/actual"; then
@@ -74,7 +75,7 @@ compare() {
   return 0
 }
 export -f compare
-export levels keep
+export levels keep tools
 
 # Seeds in turn, as many workers as processors, until N were compared.
 passed=0 failed=0 seed=$first
