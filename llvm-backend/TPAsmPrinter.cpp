@@ -63,12 +63,15 @@ void TPAsmPrinter::emitInstruction(const MachineInstr *MI) {
 
 void TPAsmPrinter::printOperand(const MachineOperand &Operand,
                                 raw_ostream &OS) {
+  // A register that the source names is an implicit operand.
+  if (Operand.isReg()) {
+    OS << TPInstPrinter::getRegisterName(Operand.getReg());
+    return;
+  }
   MCOperand Result;
   if (!Lowering.lowerOperand(Operand, Result))
     return;
-  if (Result.isReg())
-    OS << TPInstPrinter::getRegisterName(Result.getReg());
-  else if (Result.isImm())
+  if (Result.isImm())
     OS << Result.getImm();
   else
     MAI->printExpr(OS, *Result.getExpr());

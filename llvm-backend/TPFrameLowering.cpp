@@ -16,7 +16,7 @@
 using namespace llvm;
 
 TPFrameLowering::TPFrameLowering(const TPSubtarget &STI)
-    : TargetFrameLowering(StackGrowsDown, Align(8), 0), STI(STI) {}
+    : TargetFrameLowering(StackGrowsDown, Align(8), 0, Align(8)), STI(STI) {}
 
 bool TPFrameLowering::hasFPImpl(const MachineFunction &MF) const {
   const MachineFrameInfo &MFI = MF.getFrameInfo();

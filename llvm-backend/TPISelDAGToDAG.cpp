@@ -261,6 +261,14 @@ void TPDAGToDAGISel::Select(SDNode *Node) {
     CurDAG->SelectNodeTo(Node, TP::ADDI, MVT::i32, Frame, getImmediate(0, DL));
     return;
   }
+  case ISD::Constant:
+    if (cast<ConstantSDNode>(Node)->isZero()) {
+      ReplaceNode(Node, CurDAG->getCopyFromReg(CurDAG->getEntryNode(),
+                                               SDLoc(Node), TP::R0, MVT::i32)
+                            .getNode());
+      return;
+    }
+    break;
   case ISD::ConstantFP:
     if (trySelectConstantFP(Node))
       return;

@@ -54,11 +54,15 @@ void TPTargetLowering::configureFloats() {
                       ISD::FNEARBYINT, ISD::FROUNDEVEN, ISD::FMINNUM,
                       ISD::FMAXNUM, ISD::FMINIMUMNUM, ISD::FMAXIMUMNUM},
                      MVT::f32, Legal);
-  setOperationAction(ISD::LRINT, MVT::i32, Legal);
+  setOperationAction(ISD::LRINT, MVT::f32, Legal);
   // No fused multiply-add: fma is a function of the library.
-  setOperationAction({ISD::FMA, ISD::FREM, ISD::FSIN, ISD::FCOS, ISD::FSINCOS,
-                      ISD::FPOW, ISD::FCOPYSIGN, ISD::SELECT_CC},
-                     MVT::f32, Expand);
+  setOperationAction(
+      {ISD::FMA, ISD::FSIN, ISD::FCOS, ISD::FSINCOS, ISD::FPOW, ISD::SELECT_CC},
+      MVT::f32, Expand);
+  setOperationAction({ISD::STRICT_FSETCC, ISD::STRICT_FSETCCS}, MVT::f32,
+                     Legal);
+  setOperationAction(ISD::FREM, {MVT::f32, MVT::f64}, LibCall);
+  setOperationAction(ISD::FCOPYSIGN, MVT::f32, Custom);
   setOperationAction({ISD::FP_TO_SINT_SAT, ISD::FP_TO_UINT_SAT}, MVT::i32,
                      Custom);
 
@@ -197,6 +201,8 @@ SDValue TPTargetLowering::LowerOperation(SDValue Op, SelectionDAG &DAG) const {
     expandShiftParts(Op.getNode(), Low, High, DAG);
     return DAG.getMergeValues({Low, High}, SDLoc(Op));
   }
+  case ISD::FCOPYSIGN:
+    return lowerCopySign(Op, DAG);
   case ISD::FP_TO_SINT_SAT:
   case ISD::FP_TO_UINT_SAT:
     return lowerSaturatingConversion(Op, DAG);
@@ -287,6 +293,21 @@ SDValue TPTargetLowering::lowerReturnAddress(SDValue Op,
                      DAG.getMemBasePlusOffset(
                          Frame, TypeSize::getFixed(ReturnAddressOffset), DL),
                      MachinePointerInfo());
+}
+
+SDValue TPTargetLowering::lowerCopySign(SDValue Op, SelectionDAG &DAG) const {
+  // The insertion of 31 bits into the word that has the sign.
+  SDLoc DL(Op);
+  auto Masked = [&](SDValue Float, uint32_t Mask) {
+    return DAG.getNode(ISD::AND, DL, MVT::i32, DAG.getBitcast(MVT::i32, Float),
+                       DAG.getConstant(Mask, DL, MVT::i32));
+  };
+  SDValue Sign = Op.getOperand(1);
+  if (Sign.getValueType() != MVT::f32)
+    return SDValue();
+  SDValue Bits = DAG.getNode(ISD::OR, DL, MVT::i32, Masked(Sign, 0x80000000),
+                             Masked(Op.getOperand(0), 0x7fffffff));
+  return DAG.getBitcast(MVT::f32, Bits);
 }
 
 SDValue TPTargetLowering::lowerSaturatingConversion(SDValue Op,

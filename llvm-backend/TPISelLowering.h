@@ -72,6 +72,7 @@ public:
   bool isTruncateFree(EVT From, EVT To) const override;
   bool isZExtFree(SDValue Val, EVT To) const override;
   bool isCheapToSpeculateCtlz(Type *) const override { return true; }
+  bool isCheapToSpeculateCttz(Type *) const override { return true; }
   bool isCtlzFast() const override { return true; }
   bool isFMAFasterThanFMulAndFAdd(const MachineFunction &, EVT) const override {
     return false;
@@ -99,6 +100,7 @@ private:
   SDValue lowerVAStart(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerFrameAddress(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerReturnAddress(SDValue Op, SelectionDAG &DAG) const;
+  SDValue lowerCopySign(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerSaturatingConversion(SDValue Op, SelectionDAG &DAG) const;
 
   void configureIntegers();

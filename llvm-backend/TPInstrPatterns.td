@@ -96,6 +96,12 @@ def : Pat<(i32 (atomic_load_sub_i32 (i32 GPR:$rs), (i32 GPR:$rt))),
           (ATOM_ADD (SUB (i32 R0), GPR:$rt), GPR:$rs)>;
 
 //===----------------------------------------------------------------------===//
+// Logic
+//===----------------------------------------------------------------------===//
+
+def : Pat<(i32 (not (i32 GPR:$a))), (NOR GPR:$a, (i32 R0))>;
+
+//===----------------------------------------------------------------------===//
 // Shifts use the low five bits of the amount
 //===----------------------------------------------------------------------===//
 
@@ -157,6 +163,29 @@ def : Pat<(i32 (setne (f32 FPR:$a), (f32 FPR:$b))), (C_UNE_S $a, $b)>;
 def : Pat<(i32 (setlt (f32 FPR:$a), (f32 FPR:$b))), (C_OLT_S $a, $b)>;
 def : Pat<(i32 (setle (f32 FPR:$a), (f32 FPR:$b))), (C_OLE_S $a, $b)>;
 
+// No compare raises an exception, so the strict ones are the others.
+class StrictComparePattern<SDPatternOperator node, CondCode condition,
+                           Instruction instruction>
+    : Pat<(i32 (node (f32 FPR:$a), (f32 FPR:$b), condition)),
+          (instruction $a, $b)>;
+
+foreach node = [strict_fsetcc, strict_fsetccs] in {
+  def : StrictComparePattern<node, SETUO, C_UN_S>;
+  def : StrictComparePattern<node, SETO, C_OR_S>;
+  def : StrictComparePattern<node, SETOEQ, C_EQ_S>;
+  def : StrictComparePattern<node, SETEQ, C_EQ_S>;
+  def : StrictComparePattern<node, SETUNE, C_UNE_S>;
+  def : StrictComparePattern<node, SETNE, C_UNE_S>;
+  def : StrictComparePattern<node, SETUEQ, C_UEQ_S>;
+  def : StrictComparePattern<node, SETONE, C_ONE_S>;
+  def : StrictComparePattern<node, SETOLT, C_OLT_S>;
+  def : StrictComparePattern<node, SETLT, C_OLT_S>;
+  def : StrictComparePattern<node, SETOLE, C_OLE_S>;
+  def : StrictComparePattern<node, SETLE, C_OLE_S>;
+  def : StrictComparePattern<node, SETULT, C_ULT_S>;
+  def : StrictComparePattern<node, SETULE, C_ULE_S>;
+}
+
 //===----------------------------------------------------------------------===//
 // Selects
 //===----------------------------------------------------------------------===//
@@ -205,6 +234,10 @@ def : Pat<(brcond (i32 (setugt (i32 GPR:$a), (i32 GPR:$b))), bb:$t),
           (BLTU $b, $a, bb:$t)>;
 def : Pat<(brcond (i32 (setule (i32 GPR:$a), (i32 GPR:$b))), bb:$t),
           (BGEU $b, $a, bb:$t)>;
+def : Pat<(brcond (i32 (setgt (i32 GPR:$a), -1)), bb:$t),
+          (BGE $a, (i32 R0), bb:$t)>;
+def : Pat<(brcond (i32 (setlt (i32 GPR:$a), 1)), bb:$t),
+          (BGE (i32 R0), $a, bb:$t)>;
 def : Pat<(brcond (i32 GPR:$condition), bb:$t),
           (BNE GPR:$condition, (i32 R0), bb:$t)>;
 
