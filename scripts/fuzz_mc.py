@@ -116,7 +116,7 @@ def check_files(tp_mc, tp_objdump, generator, count, directory):
         "main: jal callee\n lui r4, %hi(x)\n beq r4, r5, main\n .4byte 7\n"
         ".data\n .4byte main\n"
     )
-    good = run([tp_mc, "-filetype=obj"], source.encode()).stdout
+    good = run([tp_mc, "-g", "-filetype=obj"], source.encode()).stdout
     name = os.path.join(directory, "broken.o")
     for _ in range(count):
         broken = bytearray(good)

@@ -17,6 +17,7 @@
 #include "llvm/MC/MCStreamer.h"
 #include "llvm/MC/TargetRegistry.h"
 #include "llvm/Support/CommandLine.h"
+#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/FormattedStream.h"
 #include "llvm/Support/InitLLVM.h"
 #include "llvm/Support/MemoryBuffer.h"
@@ -57,6 +58,9 @@ static cl::opt<bool>
     NoAliases("no-aliases",
               cl::desc("Print instructions under their own names"),
               cl::cat(Category));
+static cl::opt<bool>
+    DebugInfo("g", cl::desc("Add DWARF that leads back to the source lines"),
+              cl::cat(Category));
 static cl::list<std::string>
     IncludeDirectories("I", cl::desc("Directory of files for .include"),
                        cl::value_desc("directory"), cl::Prefix,
@@ -92,8 +96,22 @@ static std::unique_ptr<MCStreamer> createStreamer(tp::MachineCode &Code,
       std::move(Printer), std::move(Encoder), std::move(Backend)));
 }
 
+static void describeSource(const SourceMgr &Sources, MCContext &Context) {
+  StringRef Text =
+      Sources.getMemoryBuffer(Sources.getMainFileID())->getBuffer();
+  SmallString<128> Directory;
+  if (!sys::fs::current_path(Directory))
+    Context.setCompilationDir(Directory);
+  Context.setGenDwarfForAssembly(true);
+  Context.setMainFileName(InputFilename);
+  Context.setDwarfDebugProducer("tp-mc");
+  Context.setGenDwarfRootFile(InputFilename, Text);
+}
+
 static bool assemble(SourceMgr &Sources, tp::MachineCode &Code,
                      MCStreamer &Streamer) {
+  if (DebugInfo)
+    describeSource(Sources, Code.Context);
   std::unique_ptr<MCAsmParser> Parser(
       createMCAsmParser(Sources, Code.Context, Streamer, *Code.Syntax));
   std::unique_ptr<MCTargetAsmParser> TargetParser(Code.Target.createMCAsmParser(

@@ -70,7 +70,7 @@ void printDisassembly(const ObjectInput &Input, InstructionText &Text,
                       const DisassemblyOptions &Options, raw_ostream &OS) {
   SourceLines Lines(Input, Options.LineNumbers, Options.Source);
   for (const Section &Section : Input.sections()) {
-    if (!Section.isCode())
+    if (!Section.isCode() || Section.Contents.empty())
       continue;
     OS << "\nDisassembly of section " << Section.Name << ":\n";
     if (Input.symbolsOf(Section).count(Section.Address) == 0)

@@ -11,8 +11,16 @@ using namespace llvm;
 
 namespace tp {
 
+static symbolize::LLVMSymbolizer::Options symbolizerOptions() {
+  symbolize::LLVMSymbolizer::Options Options;
+  // The symbols of an object are not laid out as its debugging information is.
+  Options.UseSymbolTable = false;
+  return Options;
+}
+
 SourceLines::SourceLines(const ObjectInput &Input, bool LineNumbers, bool Text)
-    : Input(Input), LineNumbers(LineNumbers), Text(Text) {}
+    : LineNumbers(LineNumbers), Text(Text), Image(Input),
+      Symbolizer(symbolizerOptions()) {}
 
 StringRef SourceLines::textOf(const std::string &FileName, uint32_t Line) {
   auto [Entry, IsNew] = Files.try_emplace(FileName);
@@ -31,16 +39,19 @@ void SourceLines::print(const Section &Section, uint32_t Address,
                         raw_ostream &OS) {
   if (!LineNumbers && !Text)
     return;
-  Expected<DILineInfo> Place =
-      Symbolizer.symbolizeCode(Input.file(), {Address, Section.Index});
+  Expected<DILineInfo> Place = Symbolizer.symbolizeCode(
+      Image.file(), {Image.addressOf(Section, Address), Section.Index});
   if (!Place) {
     consumeError(Place.takeError());
     return;
   }
-  if (!*Place || Place->Line == 0 || *Place == Last)
+  bool IsNewFunction = Place->FunctionName != Last.FunctionName;
+  if (!*Place || Place->Line == 0 ||
+      (!IsNewFunction && Place->Line == Last.Line &&
+       Place->FileName == Last.FileName))
     return;
   if (LineNumbers) {
-    if (Place->FunctionName != Last.FunctionName)
+    if (IsNewFunction)
       OS << "; " << Place->FunctionName << ":\n";
     OS << "; " << Place->FileName << ':' << Place->Line << '\n';
   }

@@ -7,7 +7,7 @@
 #ifndef TP_LLVM_BACKEND_TOOLS_TP_OBJDUMP_SOURCELINES_H
 #define TP_LLVM_BACKEND_TOOLS_TP_OBJDUMP_SOURCELINES_H
 
-#include "llvm-backend/tools/tp-objdump/ObjectInput.h"
+#include "llvm-backend/tools/tp-objdump/DebugImage.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/DebugInfo/DIContext.h"
 #include "llvm/DebugInfo/Symbolize/Symbolize.h"
@@ -17,7 +17,7 @@
 namespace tp {
 
 /// Prints where in the source instructions come from, as comments, each time
-/// that it changes. Needs a linked program with debugging information.
+/// that it changes. Silent where there is no debugging information.
 class SourceLines {
 public:
   /// `LineNumbers` prints function, file and line, `Text` the source itself.
@@ -29,9 +29,9 @@ private:
   /// A line of a source file, or an empty string if there is none.
   llvm::StringRef textOf(const std::string &FileName, uint32_t Line);
 
-  const ObjectInput &Input;
   const bool LineNumbers;
   const bool Text;
+  DebugImage Image;
   llvm::symbolize::LLVMSymbolizer Symbolizer;
   llvm::DILineInfo Last;
   llvm::StringMap<std::unique_ptr<llvm::MemoryBuffer>> Files;

@@ -74,9 +74,6 @@ static int dump(StringRef Path, raw_ostream &OS) {
   Expected<tp::ObjectInput> Input = tp::ObjectInput::open(Path);
   if (!Input)
     return fail(Path + ": " + toString(Input.takeError()));
-  if ((LineNumbers || Source) && Input->isRelocatable())
-    return fail(Path + ": line numbers need a linked program; this is an "
-                       "object to be linked");
 
   tp::InstructionText Text(*Input, !NoAliases);
   if (Assembly) {
