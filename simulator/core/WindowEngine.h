@@ -25,6 +25,13 @@
 
 namespace tp {
 
+/// Distance of the local stores in the host's memory. Threads use the same
+/// addresses at the same time: a few cache lines more than a power of two keep
+/// them in different sets of the host's caches.
+inline uintptr_t localStoreStride(const ChipConfig &Chip) {
+  return Chip.LocalStoreBytes + 5 * 64;
+}
+
 template <class Word, bool FlushToZero>
 class WindowEngine final : public EngineImplementation {
 public:
@@ -52,8 +59,9 @@ private:
 
   void decodeText(const Program &Text);
   void prepareFree();
-  /// Finds the next window in which something happens.
-  void enterWindow(uint64_t MaxCycles);
+  /// Finds the next window in which something happens; false if that is not
+  /// before MaxCycles.
+  bool enterWindow(uint64_t MaxCycles);
   void moveEpoch();
   /// The part of a window that a host thread does.
   void runTms(Runner &R);
@@ -100,7 +108,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
                                               Memory &Global,
                                               const ResourceLayout &Layout)
     : Chip(Chip), Layout(Layout), Commit(Global, Text, Chip.LocalStoreBytes),
-      LocalStores(size_t(Chip.threadCount()) * Chip.LocalStoreBytes),
+      LocalStores(Chip.threadCount() * localStoreStride(Chip)),
       Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
       TmNextCycles(Chip.TmCount) {
   decodeText(Text);
@@ -122,7 +130,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
     Threads[I].Resume = &Slots[EntryWord];
     Threads[I].LocalStoreBias =
         reinterpret_cast<uintptr_t>(LocalStores.data()) +
-        uintptr_t(I) * Chip.LocalStoreBytes - Local.Begin;
+        I * localStoreStride(Chip) - Local.Begin;
   }
 }
 
@@ -156,16 +164,21 @@ void WindowEngine<Word, FlushToZero>::prepareFree() {
 }
 
 template <class Word, bool FlushToZero>
-void WindowEngine<Word, FlushToZero>::enterWindow(uint64_t MaxCycles) {
+bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t MaxCycles) {
   uint64_t Next = *std::min_element(TmNextCycles.begin(), TmNextCycles.end());
   uint64_t Window = Next / Chip.ArbitrationWindow;
   WindowStart = Window * Chip.ArbitrationWindow;
+  if (WindowStart >= MaxCycles) {
+    WindowEnd = MaxCycles;
+    return false;
+  }
   WindowEnd = std::min(WindowStart + Chip.ArbitrationWindow, MaxCycles);
   FirstPriority = uint32_t(Window % Chip.TpsPerTm);
   if (WindowStart - Epoch > ready::CycleLimit / 2)
     moveEpoch();
   prepareFree();
   NextTm.store(0, std::memory_order_relaxed);
+  return true;
 }
 
 template <class Word, bool FlushToZero>
@@ -324,11 +337,8 @@ RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
       LastReport = Clock::now();
       Report(progress());
     }
-    enterWindow(MaxCycles);
-    if (WindowStart >= MaxCycles) {
-      WindowEnd = MaxCycles;
+    if (!enterWindow(MaxCycles))
       continue;
-    }
     Pool.run();
     finishWindow();
   }

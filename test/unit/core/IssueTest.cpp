@@ -245,6 +245,16 @@ TEST(Issue, CycleLimitIsExactAndCutsLosses) {
   }
 }
 
+TEST(Issue, CycleLimitBeforeTheNextWindowWithWork) {
+  // addi 0, sleep 1: the next issue would be in cycle 1002, windows later.
+  Assembly A;
+  A("addi", 4, 0, 1000)("sleep", 4);
+  Simulation S(quietChip(1, 1), halted(A));
+  EXPECT_EQ(S.run(65).End, RunResult::CycleLimit);
+  EXPECT_EQ(S.statistics().Cycles, 65u);
+  EXPECT_EQ(S.lost(0, Loss::Sleep), 65u - 2);
+}
+
 TEST(Issue, CycleLimitDoesNotChangeACompletedRun) {
   Assembly A;
   A.repeat(10, "addi", 4, 0, 1);
