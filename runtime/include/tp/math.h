@@ -75,7 +75,7 @@ float atan2(float Y, float X);
 float exp(float X);
 /// 2 to the \p X; 0.65 ulp, 0.80 ulp where the result is subnormal.
 float exp2(float X);
-/// Natural logarithm; 0.65 ulp.
+/// Natural logarithm; 0.66 ulp.
 float log(float X);
 /// Logarithm to the base 2; 0.51 ulp.
 float log2(float X);
