@@ -20,6 +20,7 @@ TPMCAsmInfo::TPMCAsmInfo() {
   Data64bitsDirective = "\t.8byte\t";
   UsesELFSectionDirectiveForBSS = true;
   SupportsDebugInformation = true;
+  UsesCFIWithoutEH = true;
 }
 
 void TPMCAsmInfo::printSpecifierExpr(raw_ostream &OS,
