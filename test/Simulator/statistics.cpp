@@ -59,6 +59,10 @@
 // RUN: not tpsim --chip 4x32 --quiet --max-cycles 777 --host-threads 3 %t.elf --stats %t.cut3.json
 // RUN: cmp %t.cut.json %t.cut3.json
 
+// A limit just behind the end of an arbitration window, in which nothing issues.
+// RUN: not tpsim --chip report-512x8 --quiet --max-cycles 65 %t.elf --stats %t.65.json
+// RUN: %python %S/Inputs/check_statistics.py %t.65.json
+
 // The table shows the same run.
 // RUN: tpsim --chip 1x1 %t.elf 2>&1 >/dev/null | FileCheck %s --check-prefix=TABLE
 // TABLE: 1x1: 1 TMs x 1 TPs at 1 GHz

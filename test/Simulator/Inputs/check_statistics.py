@@ -45,5 +45,6 @@ total = areas.pop("total")
 if abs(sum(areas.values()) - total) > 1e-9 * total:
     sys.exit(f"area: {sum(areas.values())} instead of {total}")
 if "rays" in threads:
-    check("rays", sum(threads["rays"]), statistics["rays"]["total"])
+    total_rays = statistics["rays"]["total"] if "rays" in statistics else 0
+    check("rays", sum(threads["rays"]), total_rays)
 print("all sums agree")
