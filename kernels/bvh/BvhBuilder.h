@@ -20,7 +20,7 @@ namespace tp {
 
 /// What a traversal pays, in cycles. Only the ratio matters. Both defaults
 /// estimate the report's chip: some 100 cycles of waiting for memory and 60
-/// instructions. That equal costs do best was measured on the Cornell box.
+/// instructions. Counting visits on the Cornell box, equal costs do best.
 struct BvhCosts {
   /// To visit an inner node.
   float Node = 160;

@@ -26,6 +26,8 @@ namespace tp {
 using BvhReference = uint32_t;
 
 inline constexpr uint32_t kMaxLeafTriangles = 15;
+/// So that a scene with its tree and, if all triangles shine, its lights fits
+/// in a 32-bit address space.
 inline constexpr uint32_t kMaxBvhTriangles = 1u << 24;
 /// Inner nodes on the way from the root to any leaf, at most.
 inline constexpr uint32_t kMaxBvhDepth = 40;

@@ -6,6 +6,7 @@
 
 #include "scenes/loader/SceneLoader.h"
 
+#include "kernels/common/SceneLayout.h"
 #include "scenes/loader/GltfAccessor.h"
 #include "scenes/loader/GltfFile.h"
 #include "scenes/loader/Transform.h"
@@ -18,9 +19,6 @@
 namespace tp {
 
 namespace {
-
-/// With BVH nodes and light records, about what fits in a 32-bit address space.
-constexpr size_t MaxTriangles = size_t(1) << 24;
 
 /// Walks the nodes of one file and collects the scene.
 class SceneBuilder {
@@ -211,8 +209,8 @@ Status SceneBuilder::addPrimitive(const tinygltf::Primitive &Primitive,
   });
   if (!Finite)
     return Error{"a position is not finite after its node's transform"};
-  if (Result.Triangles.size() > MaxTriangles)
-    return Error{"the scene has more than " + std::to_string(MaxTriangles) +
+  if (Result.Triangles.size() > kMaxBvhTriangles)
+    return Error{"the scene has more than " + std::to_string(kMaxBvhTriangles) +
                  " triangles"};
   return success();
 }
