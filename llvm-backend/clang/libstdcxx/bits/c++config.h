@@ -4,18 +4,17 @@
 //
 //===----------------------------------------------------------------------===//
 //
-// libstdc++ was configured for the host's C library and threads. The TP has the
-// runtime's C library: what libstdc++ calls freestanding, and <cmath>.
+// libstdc++ was configured for the host's C library and threads, and for a
+// compiled part. The TP has the runtime's C library, and templates only.
 //
 //===----------------------------------------------------------------------===//
 
 #ifndef TP_LIBSTDCXX_CXXCONFIG_H
 #define TP_LIBSTDCXX_CXXCONFIG_H
 
-#include_next <bits/c++config.h>
+#define _GLIBCXX_EXTERN_TEMPLATE 0
 
-#undef _GLIBCXX_HOSTED
-#define _GLIBCXX_HOSTED 0
+#include_next <bits/c++config.h>
 
 #undef _GLIBCXX_HAS_GTHREADS
 #undef _GLIBCXX_USE_WCHAR_T
