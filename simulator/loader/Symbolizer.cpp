@@ -49,12 +49,11 @@ std::string Symbolizer::describe(const SourceFrame &Frame) {
   std::string Text;
   if (!Frame.Function.empty())
     Text += "in " + Frame.Function;
-  if (Frame.File.empty())
+  if (Frame.File.empty() || Frame.Line == 0)
     return Text;
-  Text += (Text.empty() ? "at " : " at ") + Frame.File;
-  if (Frame.Line)
-    Text += ":" + std::to_string(Frame.Line);
-  if (Frame.Line && Frame.Column)
+  Text += (Text.empty() ? "at " : " at ") + Frame.File + ":" +
+          std::to_string(Frame.Line);
+  if (Frame.Column)
     Text += ":" + std::to_string(Frame.Column);
   return Text;
 }

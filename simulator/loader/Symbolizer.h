@@ -37,8 +37,8 @@ public:
   /// first. Empty if nothing is known.
   std::vector<SourceFrame> frames(uint32_t Pc);
 
-  /// `in function at file:line:column` for one frame; ends where the knowledge
-  /// ends, so that nothing known is the empty string.
+  /// `in function at file:line:column` for one frame, without the parts that
+  /// are unknown; a file without a line is left out.
   static std::string describe(const SourceFrame &Frame);
 
 private:
