@@ -6,8 +6,10 @@
 //
 // One heap in global memory for all threads. Sizes are rounded up to classes,
 // four to each power of two; a free block waits in its class's list and is
-// never split or joined, so that every call takes a handful of steps under the
-// lock. Memory for new blocks comes from the launch block's free range.
+// never split or joined, so that every call takes a handful of steps. Memory
+// for new blocks comes from the launch block's free range by one atomic
+// addition, so that threads that allocate at once do not wait for each other;
+// only reusing and freeing take the lock.
 //
 //===----------------------------------------------------------------------===//
 
@@ -30,12 +32,14 @@ struct alignas(8) Header {
 
 constexpr uint32_t MinBytes = 8;
 constexpr uint32_t MaxBytes = 0x40000000;
+/// Larger blocks are taken one at a time.
+constexpr uint32_t MaxSharedBytes = 0x8000;
 constexpr uint32_t NumClasses = 4 * 28 + 1;
 
 SpinLock HeapLock;
 Header *FreeLists[NumClasses];
-/// 0 before the first allocation.
-DeviceAddress NextAddress = 0;
+/// Of the free range.
+uint32_t UsedBytes = 0;
 
 /// Number of the smallest class that holds \p Bytes, and its size.
 uint32_t classOf(uint32_t Bytes, uint32_t &ClassBytes) {
@@ -51,6 +55,47 @@ uint32_t classOf(uint32_t Bytes, uint32_t &ClassBytes) {
   return (Log - 3) * 4 + Step;
 }
 
+/// A free block of \p Class, or null.
+Header *reuse(uint32_t Class) {
+  // Whoever sees an empty list may as well take new memory.
+  if (!__atomic_load_n(&FreeLists[Class], __ATOMIC_RELAXED))
+    return nullptr;
+  LockGuard Guard(HeapLock);
+  Header *Block = FreeLists[Class];
+  if (Block)
+    FreeLists[Class] = Block->Next;
+  return Block;
+}
+
+/// \p Bytes, a multiple of 8, of the free range; 0 when it is used up. While
+/// another thread finds that out, this one may do so a little early.
+DeviceAddress take(uint32_t Bytes) {
+  const LaunchBlock &Launch = launchBlock();
+  DeviceAddress Begin = (Launch.HeapBegin + 7) & ~7u;
+  if (Begin >= Launch.HeapEnd)
+    return 0;
+  // Sums of what is used and what all threads ask for at once stay in 32 bits.
+  uint32_t Size = Launch.HeapEnd - Begin;
+  if (Size > 0xC0000000u)
+    Size = 0xC0000000u;
+  if (Bytes <= MaxSharedBytes) {
+    uint32_t Used = atomicAdd(&UsedBytes, Bytes);
+    if (Used < Size && Size - Used >= Bytes)
+      return Begin + Used;
+    atomicAdd(&UsedBytes, -Bytes);
+    return 0;
+  }
+  uint32_t Used = atomicLoad(&UsedBytes);
+  for (;;) {
+    if (Used >= Size || Size - Used < Bytes)
+      return 0;
+    uint32_t Seen = atomicCompareExchange(&UsedBytes, Used, Used + Bytes);
+    if (Seen == Used)
+      return Begin + Used;
+    Used = Seen;
+  }
+}
+
 } // namespace
 
 } // namespace tp
@@ -64,20 +109,13 @@ void *malloc(size_t Bytes) {
     return nullptr;
   uint32_t ClassBytes;
   uint32_t Class = classOf(Bytes, ClassBytes);
-  LockGuard Guard(HeapLock);
-  Header *Block = FreeLists[Class];
-  if (Block) {
-    FreeLists[Class] = Block->Next;
+  Header *Block = reuse(Class);
+  if (Block)
     return Block + 1;
-  }
-  const LaunchBlock &Launch = launchBlock();
-  if (NextAddress == 0)
-    NextAddress = (Launch.HeapBegin + 7) & ~7u;
-  uint32_t Total = ClassBytes + sizeof(Header);
-  if (NextAddress > Launch.HeapEnd || Launch.HeapEnd - NextAddress < Total)
+  DeviceAddress Address = take(ClassBytes + sizeof(Header));
+  if (Address == 0)
     return nullptr;
-  Block = devicePointer<Header>(NextAddress);
-  NextAddress += Total;
+  Block = devicePointer<Header>(Address);
   Block->Class = Class;
   return Block + 1;
 }
