@@ -69,6 +69,9 @@ private:
   /// The rest of it.
   void finishWindow();
   void releaseBarrier();
+  /// How the run has ended by now, if it has; sets EndCycle.
+  std::optional<RunResult> ending(uint64_t MaxCycles,
+                                  const std::atomic<bool> *Stop);
   Progress progress() const;
 
   const ChipConfig Chip;
@@ -285,6 +288,39 @@ Progress WindowEngine<Word, FlushToZero>::progress() const {
 }
 
 template <class Word, bool FlushToZero>
+std::optional<RunResult>
+WindowEngine<Word, FlushToZero>::ending(uint64_t MaxCycles,
+                                        const std::atomic<bool> *Stop) {
+  RunResult Result;
+  EndCycle = WindowEnd;
+  if (FirstTrap) {
+    Result.End = RunResult::Trapped;
+    Result.ExitStatus = 1;
+    Result.TrapInfo = FirstTrap->Info;
+    return Result;
+  }
+  if (Halted == Threads.size()) {
+    EndCycle = 0;
+    for (const Thread &T : Threads) {
+      EndCycle = std::max(EndCycle, T.EndCycle);
+      if (Result.ExitStatus == 0)
+        Result.ExitStatus = T.Status;
+    }
+    Result.End = RunResult::Halted;
+    return Result;
+  }
+  if (WindowEnd >= MaxCycles) {
+    Result.End = RunResult::CycleLimit;
+    return Result;
+  }
+  if (Stop && Stop->load(std::memory_order_relaxed)) {
+    Result.End = RunResult::Stopped;
+    return Result;
+  }
+  return std::nullopt;
+}
+
+template <class Word, bool FlushToZero>
 RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
                                                const std::atomic<bool> *Stop,
                                                const ProgressFunction &Report) {
@@ -304,45 +340,23 @@ RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
   }
   HostThreadPool Pool(Count, [this](unsigned I) { runTms(*Runners[I]); });
 
-  RunResult Result;
+  std::optional<RunResult> Result;
   auto LastReport = Clock::now();
-  for (unsigned Windows = 0;; ++Windows) {
-    EndCycle = WindowEnd;
-    if (FirstTrap) {
-      Result.End = RunResult::Trapped;
-      Result.ExitStatus = 1;
-      Result.TrapInfo = FirstTrap->Info;
-      break;
-    }
-    if (Halted == Threads.size()) {
-      EndCycle = 0;
-      for (const Thread &T : Threads)
-        EndCycle = std::max(EndCycle, T.EndCycle);
-      Result.End = RunResult::Halted;
-      for (const Thread &T : Threads)
-        if (Result.ExitStatus == 0)
-          Result.ExitStatus = T.Status;
-      break;
-    }
-    if (WindowEnd >= MaxCycles) {
-      Result.End = RunResult::CycleLimit;
-      break;
-    }
-    if (Stop && Stop->load(std::memory_order_relaxed)) {
-      Result.End = RunResult::Stopped;
-      break;
-    }
+  for (unsigned Windows = 0; !(Result = ending(MaxCycles, Stop)); ++Windows) {
     if (Report && Windows % 32 == 0 &&
         Clock::now() - LastReport > std::chrono::milliseconds(100)) {
       LastReport = Clock::now();
       Report(progress());
     }
-    if (!enterWindow(MaxCycles))
+    enterWindow(MaxCycles);
+    if (WindowStart >= MaxCycles) {
+      WindowEnd = MaxCycles;
       continue;
+    }
     Pool.run();
     finishWindow();
   }
-  return Result;
+  return *Result;
 }
 
 template <class Word, bool FlushToZero>
