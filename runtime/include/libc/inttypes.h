@@ -43,4 +43,24 @@
 #define PRIxPTR "zx"
 #define PRIXPTR "zX"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+  intmax_t quot;
+  intmax_t rem;
+} imaxdiv_t;
+
+intmax_t imaxabs(intmax_t Value);
+imaxdiv_t imaxdiv(intmax_t A, intmax_t B);
+intmax_t strtoimax(const char *__restrict Text, char **__restrict End,
+                   int Base);
+uintmax_t strtoumax(const char *__restrict Text, char **__restrict End,
+                    int Base);
+
+#ifdef __cplusplus
+}
+#endif
+
 #endif /* TP_LIBC_INTTYPES_H */

@@ -6,6 +6,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <inttypes.h>
 #include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -29,8 +30,8 @@ struct ParsedInteger {
   uint64_t Magnitude = 0;
 };
 
-/// Magnitude is at most \p Limit, plus 1 when \p Limit is odd-sized for the
-/// negative end of a signed type (\p Signed).
+/// Reads an integer of at most \p Limit in magnitude, or, for the negative
+/// numbers of a signed type, one more. Sets errno beyond that.
 ParsedInteger parseInteger(const char *Text, char **End, int Base,
                            uint64_t Limit, bool Signed) {
   ParsedInteger Result;
@@ -100,6 +101,19 @@ long long llabs(long long Value) { return Value < 0 ? -Value : Value; }
 div_t div(int A, int B) { return {A / B, A % B}; }
 ldiv_t ldiv(long A, long B) { return {A / B, A % B}; }
 lldiv_t lldiv(long long A, long long B) { return {A / B, A % B}; }
+
+intmax_t imaxabs(intmax_t Value) { return Value < 0 ? -Value : Value; }
+imaxdiv_t imaxdiv(intmax_t A, intmax_t B) { return {A / B, A % B}; }
+
+intmax_t strtoimax(const char *__restrict Text, char **__restrict End,
+                   int Base) {
+  return parseSigned<intmax_t>(Text, End, Base);
+}
+
+uintmax_t strtoumax(const char *__restrict Text, char **__restrict End,
+                    int Base) {
+  return parseUnsigned<uintmax_t>(Text, End, Base);
+}
 
 long strtol(const char *__restrict Text, char **__restrict End, int Base) {
   return parseSigned<long>(Text, End, Base);
