@@ -348,11 +348,8 @@ RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
       LastReport = Clock::now();
       Report(progress());
     }
-    enterWindow(MaxCycles);
-    if (WindowStart >= MaxCycles) {
-      WindowEnd = MaxCycles;
+    if (!enterWindow(MaxCycles))
       continue;
-    }
     Pool.run();
     finishWindow();
   }
