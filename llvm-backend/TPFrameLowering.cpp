@@ -29,10 +29,6 @@ bool TPFrameLowering::hasReservedCallFrame(const MachineFunction &MF) const {
   return !MF.getFrameInfo().hasVarSizedObjects();
 }
 
-bool TPFrameLowering::enableCFIFixup(const MachineFunction &MF) const {
-  return MF.needsFrameMoves();
-}
-
 Register TPFrameLowering::getInitialCFARegister(const MachineFunction &) const {
   return TP::R29;
 }
@@ -61,6 +57,8 @@ void TPFrameLowering::emitPrologue(MachineFunction &MF,
   if (StackSize == 0)
     return;
 
+  // The directives are there with and without debug information, so that the
+  // code is the same.
   constexpr auto Flag = MachineInstr::FrameSetup;
   const DebugLoc DL;
   const ArrayRef<CalleeSavedInfo> Saved = MFI.getCalleeSavedInfo();
@@ -68,20 +66,17 @@ void TPFrameLowering::emitPrologue(MachineFunction &MF,
   CFIInstBuilder CFI(MBB, I, Flag);
 
   TII.addConstant(MBB, I, DL, TP::R29, TP::R29, -StackSize, Flag);
-  if (MF.needsFrameMoves())
-    CFI.buildDefCFAOffset(StackSize);
+  CFI.buildDefCFAOffset(StackSize);
 
   std::advance(I, Saved.size());
   CFI.setInsertPoint(I);
-  if (MF.needsFrameMoves())
-    for (const CalleeSavedInfo &Info : Saved)
-      CFI.buildOffset(Info.getReg(), MFI.getObjectOffset(Info.getFrameIdx()));
+  for (const CalleeSavedInfo &Info : Saved)
+    CFI.buildOffset(Info.getReg(), MFI.getObjectOffset(Info.getFrameIdx()));
 
   if (!hasFP(MF))
     return;
   TII.addConstant(MBB, I, DL, TP::R30, TP::R29, StackSize, Flag);
-  if (MF.needsFrameMoves())
-    CFI.buildDefCFA(TP::R30, 0);
+  CFI.buildDefCFA(TP::R30, 0);
 
   if (!RI.hasStackRealignment(MF))
     return;
@@ -114,17 +109,14 @@ void TPFrameLowering::emitEpilogue(MachineFunction &MF,
     if (MFI.hasVarSizedObjects() ||
         STI.getRegisterInfo()->hasStackRealignment(MF))
       TII.addConstant(MBB, Restores, DL, TP::R29, TP::R30, -StackSize, Flag);
-    if (MF.needsFrameMoves())
-      CFI.buildDefCFA(TP::R29, StackSize);
+    CFI.buildDefCFA(TP::R29, StackSize);
   }
 
   CFI.setInsertPoint(End);
-  if (MF.needsFrameMoves())
-    for (const CalleeSavedInfo &Info : Saved)
-      CFI.buildRestore(Info.getReg());
+  for (const CalleeSavedInfo &Info : Saved)
+    CFI.buildRestore(Info.getReg());
   TII.addConstant(MBB, End, DL, TP::R29, TP::R29, StackSize, Flag);
-  if (MF.needsFrameMoves())
-    CFI.buildDefCFAOffset(0);
+  CFI.buildDefCFAOffset(0);
 }
 
 StackOffset TPFrameLowering::getFrameIndexReference(const MachineFunction &MF,

@@ -46,7 +46,7 @@ public:
   bool enableShrinkWrapping(const MachineFunction &) const override {
     return true;
   }
-  bool enableCFIFixup(const MachineFunction &MF) const override;
+  bool enableCFIFixup(const MachineFunction &) const override { return true; }
   int getInitialCFAOffset(const MachineFunction &) const override { return 0; }
   Register getInitialCFARegister(const MachineFunction &MF) const override;
 
