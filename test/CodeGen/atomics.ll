@@ -41,12 +41,12 @@ define i32 @nand(ptr %p, i32 %v) {
 ; CHECK-LABEL: nand:
 ; CHECK: lw r2, 0(r4)
 ; CHECK-NEXT: .LBB3_1:
-; CHECK-NEXT: move r12, r2
+; CHECK: move r12, r2
 ; CHECK-NEXT: and r13, r12, r5
 ; CHECK-NEXT: not r13, r13
 ; CHECK-NEXT: atom_cas r2, r13, (r4)
 ; CHECK-NEXT: bne r2, r12, .LBB3_1
-; CHECK-NEXT: ret
+; CHECK: ret
   %r = atomicrmw nand ptr %p, i32 %v monotonic
   ret i32 %r
 }
@@ -54,14 +54,14 @@ define float @fadd(ptr %p, float %v) {
 ; CHECK-LABEL: fadd:
 ; CHECK: lwc1 f0, 0(r4)
 ; CHECK-NEXT: .LBB4_1:
-; CHECK-NEXT: add_s f12, f0, f4
+; CHECK: add_s f12, f0, f4
 ; CHECK-NEXT: mfc1 r12, f0
 ; CHECK-NEXT: mfc1 r13, f12
 ; CHECK-NEXT: move r14, r12
 ; CHECK-NEXT: atom_cas r14, r13, (r4)
 ; CHECK-NEXT: mtc1 f0, r14
 ; CHECK-NEXT: bne r14, r12, .LBB4_1
-; CHECK-NEXT: ret
+; CHECK: ret
   %r = atomicrmw fadd ptr %p, float %v monotonic
   ret float %r
 }
@@ -87,14 +87,14 @@ define i8 @add_byte(ptr %p, i8 %v) {
 ; CHECK-NEXT: not r24, r15
 ; CHECK-NEXT: sllv r25, r25, r14
 ; CHECK-NEXT: .LBB6_1:
-; CHECK-NEXT: move r26, r13
+; CHECK: move r26, r13
 ; CHECK-NEXT: add r27, r26, r25
 ; CHECK-NEXT: and r27, r27, r15
 ; CHECK-NEXT: and r28, r26, r24
 ; CHECK-NEXT: or r27, r28, r27
 ; CHECK-NEXT: atom_cas r13, r27, (r12)
 ; CHECK-NEXT: bne r13, r26, .LBB6_1
-; CHECK-NEXT: srlv r2, r13, r14
+; CHECK: srlv r2, r13, r14
 ; CHECK-NEXT: ret
   %r = atomicrmw add ptr %p, i8 %v monotonic
   ret i8 %r
@@ -127,13 +127,13 @@ define i16 @compare_exchange_half(ptr %p, i16 %old, i16 %new) {
 ; CHECK-NEXT: sllv r24, r24, r13
 ; CHECK-NEXT: and r27, r25, r14
 ; CHECK-NEXT: .LBB8_1:
-; CHECK-NEXT: move r25, r27
+; CHECK: move r25, r27
 ; CHECK-NEXT: or r27, r25, r24
 ; CHECK-NEXT: or r28, r25, r15
 ; CHECK-NEXT: move r26, r27
 ; CHECK-NEXT: atom_cas r26, r28, (r12)
 ; CHECK-NEXT: beq r26, r27, .LBB8_3
-; CHECK-NEXT: and r27, r26, r14
+; CHECK: and r27, r26, r14
 ; CHECK-NEXT: bne r25, r27, .LBB8_1
 ; CHECK-NEXT: .LBB8_3:
 ; CHECK-NEXT: srlv r2, r26, r13
@@ -179,7 +179,7 @@ define i32 @acquire_release(ptr %p, i32 %v) {
 define void @fences() {
 ; CHECK-LABEL: fences:
 ; CHECK: sync
-; CHECK-NEXT: ret
+; CHECK: ret
   fence seq_cst
   fence syncscope("singlethread") seq_cst
   ret void

@@ -7,11 +7,11 @@ define void @far(i32 %a, i32 %b) {
 ; CHECK: blt r4, r5, .LBB0_1
 ; CHECK-NEXT: j .LBB0_2
 ; CHECK-NEXT: .LBB0_1:
-; CHECK-NEXT: .zero 140000
-; CHECK-NEXT: ret
+; CHECK: .zero 140000
+; CHECK: ret
 ; CHECK-NEXT: .LBB0_2:
-; CHECK-NEXT: nop
-; CHECK-NEXT: ret
+; CHECK: nop
+; CHECK: ret
   %c = icmp slt i32 %a, %b
   br i1 %c, label %yes, label %no
 yes:
@@ -24,11 +24,11 @@ no:
 define void @near(i32 %a, i32 %b) {
 ; CHECK-LABEL: near:
 ; CHECK: bge r4, r5, .LBB1_2
-; CHECK-NEXT: .zero 120000
-; CHECK-NEXT: ret
+; CHECK: .zero 120000
+; CHECK: ret
 ; CHECK-NEXT: .LBB1_2:
-; CHECK-NEXT: nop
-; CHECK-NEXT: ret
+; CHECK: nop
+; CHECK: ret
   %c = icmp slt i32 %a, %b
   br i1 %c, label %yes, label %no
 yes:

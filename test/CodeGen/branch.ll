@@ -4,7 +4,7 @@
 define void @eq(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: eq:
 ; CHECK: bne r4, r5, .LBB0_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB0_2:
 ; CHECK-NEXT: ret
@@ -19,7 +19,7 @@ no:
 define void @ne(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: ne:
 ; CHECK: beq r4, r5, .LBB1_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB1_2:
 ; CHECK-NEXT: ret
@@ -34,7 +34,7 @@ no:
 define void @slt(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: slt:
 ; CHECK: bge r4, r5, .LBB2_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB2_2:
 ; CHECK-NEXT: ret
@@ -49,7 +49,7 @@ no:
 define void @sge(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: sge:
 ; CHECK: blt r4, r5, .LBB3_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB3_2:
 ; CHECK-NEXT: ret
@@ -64,7 +64,7 @@ no:
 define void @sgt(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: sgt:
 ; CHECK: bge r5, r4, .LBB4_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB4_2:
 ; CHECK-NEXT: ret
@@ -79,7 +79,7 @@ no:
 define void @sle(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: sle:
 ; CHECK: blt r5, r4, .LBB5_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB5_2:
 ; CHECK-NEXT: ret
@@ -94,7 +94,7 @@ no:
 define void @ult(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: ult:
 ; CHECK: bgeu r4, r5, .LBB6_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB6_2:
 ; CHECK-NEXT: ret
@@ -109,7 +109,7 @@ no:
 define void @uge(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: uge:
 ; CHECK: bltu r4, r5, .LBB7_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB7_2:
 ; CHECK-NEXT: ret
@@ -124,7 +124,7 @@ no:
 define void @ugt(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: ugt:
 ; CHECK: bgeu r5, r4, .LBB8_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB8_2:
 ; CHECK-NEXT: ret
@@ -139,7 +139,7 @@ no:
 define void @ule(i32 %a, i32 %b, ptr %p) {
 ; CHECK-LABEL: ule:
 ; CHECK: bltu r5, r4, .LBB9_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r6)
 ; CHECK-NEXT: .LBB9_2:
 ; CHECK-NEXT: ret
@@ -155,7 +155,7 @@ define void @immediate(i32 %a, ptr %p) {
 ; CHECK-LABEL: immediate:
 ; CHECK: addi r12, r0, 99
 ; CHECK-NEXT: blt r12, r4, .LBB10_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r5)
 ; CHECK-NEXT: .LBB10_2:
 ; CHECK-NEXT: ret
@@ -170,7 +170,7 @@ no:
 define void @zero(i32 %a, ptr %p) {
 ; CHECK-LABEL: zero:
 ; CHECK: blt r4, r0, .LBB11_2
-; CHECK-NEXT: ret
+; CHECK: ret
 ; CHECK-NEXT: .LBB11_2:
 ; CHECK-NEXT: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r5)
@@ -188,10 +188,10 @@ define i32 @loop(i32 %n) {
 ; CHECK: move r12, r0
 ; CHECK-NEXT: move r2, r0
 ; CHECK-NEXT: .LBB12_1:
-; CHECK-NEXT: mul r2, r2, r12
+; CHECK: mul r2, r2, r12
 ; CHECK-NEXT: addi r12, r12, 1
 ; CHECK-NEXT: bltu r12, r4, .LBB12_1
-; CHECK-NEXT: ret
+; CHECK: ret
 entry:
   br label %head
 head:
@@ -211,10 +211,10 @@ define i32 @indirect(i32 %i) {
 ; CHECK-NEXT: sll r13, r4, 2
 ; CHECK-NEXT: lwx r12, r12(r13)
 ; CHECK-NEXT: jr r12
-; CHECK-NEXT: .LBB13_1:
+; CHECK: .LBB13_1:
 ; CHECK-NEXT: addi r2, r0, 1
 ; CHECK-NEXT: ret
-; CHECK-NEXT: .LBB13_2:
+; CHECK: .LBB13_2:
 ; CHECK-NEXT: addi r2, r0, 2
 ; CHECK-NEXT: ret
   %p = getelementptr [2 x ptr], ptr @targets, i32 0, i32 %i
@@ -237,7 +237,7 @@ define void @traps(i1 %c) {
 ; CHECK-LABEL: traps:
 ; CHECK: andi r12, r4, 1
 ; CHECK-NEXT: bne r12, r0, .LBB15_2
-; CHECK-NEXT: break 1
+; CHECK: break 1
 ; CHECK-NEXT: ret
 ; CHECK-NEXT: .LBB15_2:
 ; CHECK-NEXT: break 0

@@ -5,7 +5,7 @@ declare void @use(ptr)
 define i32 @frame(i32 %n) uwtable {
 ; CHECK-LABEL: frame:
 ; CHECK: .cfi_sections .eh_frame, .debug_frame
-; CHECK-NEXT: addi r29, r29, -24
+; CHECK: addi r29, r29, -24
 ; CHECK-NEXT: .cfi_def_cfa_offset 24
 ; CHECK-NEXT: sw r31, 20(r29)
 ; CHECK-NEXT: sw r16, 16(r29)
@@ -71,7 +71,7 @@ define i32 @early_return(i1 %c, i32 %n) uwtable {
 ; CHECK-NEXT: andi r12, r4, 1
 ; CHECK-NEXT: move r16, r5
 ; CHECK-NEXT: beq r12, r0, .LBB2_2
-; CHECK-NEXT: addi r4, r29, -16
+; CHECK: addi r4, r29, -16
 ; CHECK-NEXT: move r29, r4
 ; CHECK-NEXT: jal use
 ; CHECK-NEXT: .LBB2_2:
@@ -108,7 +108,7 @@ define i32 @two_returns(i32 %n) uwtable {
 ; CHECK-NEXT: jal use
 ; CHECK-NEXT: addi r12, r0, 5
 ; CHECK-NEXT: bne r16, r12, .LBB3_2
-; CHECK-NEXT: move r4, r29
+; CHECK: move r4, r29
 ; CHECK-NEXT: jal use
 ; CHECK-NEXT: addi r2, r0, 1
 ; CHECK-NEXT: j .LBB3_3

@@ -103,7 +103,7 @@ define void @branch_oeq(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_oeq:
 ; CHECK: c_une_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB14_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB14_2:
 ; CHECK-NEXT: ret
@@ -119,7 +119,7 @@ define void @branch_ogt(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_ogt:
 ; CHECK: c_ule_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB15_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB15_2:
 ; CHECK-NEXT: ret
@@ -135,7 +135,7 @@ define void @branch_oge(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_oge:
 ; CHECK: c_ult_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB16_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB16_2:
 ; CHECK-NEXT: ret
@@ -151,7 +151,7 @@ define void @branch_olt(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_olt:
 ; CHECK: c_ule_s r12, f5, f4
 ; CHECK-NEXT: bne r12, r0, .LBB17_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB17_2:
 ; CHECK-NEXT: ret
@@ -167,7 +167,7 @@ define void @branch_ole(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_ole:
 ; CHECK: c_ult_s r12, f5, f4
 ; CHECK-NEXT: bne r12, r0, .LBB18_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB18_2:
 ; CHECK-NEXT: ret
@@ -183,7 +183,7 @@ define void @branch_one(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_one:
 ; CHECK: c_ueq_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB19_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB19_2:
 ; CHECK-NEXT: ret
@@ -199,7 +199,7 @@ define void @branch_ueq(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_ueq:
 ; CHECK: c_one_s r12, f4, f5
 ; CHECK-NEXT: beq r12, r0, .LBB20_2
-; CHECK-NEXT: ret
+; CHECK: ret
 ; CHECK-NEXT: .LBB20_2:
 ; CHECK-NEXT: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
@@ -216,7 +216,7 @@ define void @branch_ugt(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_ugt:
 ; CHECK: c_ole_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB21_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB21_2:
 ; CHECK-NEXT: ret
@@ -232,7 +232,7 @@ define void @branch_uge(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_uge:
 ; CHECK: c_olt_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB22_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB22_2:
 ; CHECK-NEXT: ret
@@ -248,7 +248,7 @@ define void @branch_ult(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_ult:
 ; CHECK: c_ole_s r12, f5, f4
 ; CHECK-NEXT: bne r12, r0, .LBB23_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB23_2:
 ; CHECK-NEXT: ret
@@ -264,7 +264,7 @@ define void @branch_ule(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_ule:
 ; CHECK: c_olt_s r12, f5, f4
 ; CHECK-NEXT: bne r12, r0, .LBB24_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB24_2:
 ; CHECK-NEXT: ret
@@ -280,7 +280,7 @@ define void @branch_une(float %a, float %b, ptr %p) {
 ; CHECK-LABEL: branch_une:
 ; CHECK: c_eq_s r12, f4, f5
 ; CHECK-NEXT: bne r12, r0, .LBB25_2
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: .LBB25_2:
 ; CHECK-NEXT: ret

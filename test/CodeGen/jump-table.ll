@@ -5,7 +5,7 @@ define i32 @many(i32 %x, ptr %p) {
 ; CHECK-LABEL: many:
 ; CHECK: addi r12, r0, 69
 ; CHECK-NEXT: bltu r12, r4, .LBB0_73
-; CHECK-NEXT: lui r13, %hi(.LJTI0_0)
+; CHECK: lui r13, %hi(.LJTI0_0)
 ; CHECK-NEXT: sll r12, r4, 2
 ; CHECK-NEXT: addi r13, r13, %lo(.LJTI0_0)
 ; CHECK-NEXT: lwx r12, r12(r13)
@@ -517,35 +517,35 @@ define i32 @few(i32 %x, ptr %p) {
 ; CHECK-LABEL: few:
 ; CHECK: addi r12, r0, 3
 ; CHECK-NEXT: blt r12, r4, .LBB1_5
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: blt r12, r4, .LBB1_9
-; CHECK-NEXT: beq r4, r0, .LBB1_15
-; CHECK-NEXT: addi r12, r0, 1
+; CHECK: beq r4, r0, .LBB1_15
+; CHECK: addi r12, r0, 1
 ; CHECK-NEXT: bne r4, r12, .LBB1_20
-; CHECK-NEXT: addi r12, r0, 10
+; CHECK: addi r12, r0, 10
 ; CHECK-NEXT: j .LBB1_19
 ; CHECK-NEXT: .LBB1_5:
 ; CHECK-NEXT: addi r12, r0, 5
 ; CHECK-NEXT: blt r12, r4, .LBB1_12
-; CHECK-NEXT: addi r12, r0, 4
+; CHECK: addi r12, r0, 4
 ; CHECK-NEXT: beq r4, r12, .LBB1_16
-; CHECK-NEXT: addi r12, r0, 5
+; CHECK: addi r12, r0, 5
 ; CHECK-NEXT: bne r4, r12, .LBB1_20
-; CHECK-NEXT: addi r12, r0, 38
+; CHECK: addi r12, r0, 38
 ; CHECK-NEXT: j .LBB1_19
 ; CHECK-NEXT: .LBB1_9:
 ; CHECK-NEXT: addi r12, r0, 2
 ; CHECK-NEXT: beq r4, r12, .LBB1_17
-; CHECK-NEXT: addi r12, r0, 3
+; CHECK: addi r12, r0, 3
 ; CHECK-NEXT: bne r4, r12, .LBB1_20
-; CHECK-NEXT: addi r12, r0, 24
+; CHECK: addi r12, r0, 24
 ; CHECK-NEXT: j .LBB1_19
 ; CHECK-NEXT: .LBB1_12:
 ; CHECK-NEXT: addi r12, r0, 6
 ; CHECK-NEXT: beq r4, r12, .LBB1_18
-; CHECK-NEXT: addi r12, r0, 7
+; CHECK: addi r12, r0, 7
 ; CHECK-NEXT: bne r4, r12, .LBB1_20
-; CHECK-NEXT: addi r12, r0, 52
+; CHECK: addi r12, r0, 52
 ; CHECK-NEXT: j .LBB1_19
 ; CHECK-NEXT: .LBB1_15:
 ; CHECK-NEXT: addi r12, r0, 3

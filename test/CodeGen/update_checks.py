@@ -13,13 +13,14 @@ import sys
 
 
 def function_bodies(assembly):
-    """The instructions of each function by name, without comments."""
-    bodies, name = {}, None
+    """The instructions of each function by name, without comments, each with
+    whether it follows the one before directly."""
+    bodies, name, adjacent = {}, None, False
     for line in assembly.splitlines():
         line = line.split("#")[0].rstrip()
         label = re.match(r"([A-Za-z_]\w*):$", line)
         if label:
-            name = label.group(1)
+            name, adjacent = label.group(1), False
             bodies[name] = []
         elif line.startswith(".Lfunc_end"):
             name = None
@@ -27,7 +28,10 @@ def function_bodies(assembly):
             re.match(r"\t(\.cfi_(?!startproc)|\.zero|[a-z])", line)
             or re.match(r"\.LBB", line)
         ):
-            bodies[name].append(re.sub(r"\s+", " ", line.strip()))
+            bodies[name].append((re.sub(r"\s+", " ", line.strip()), adjacent))
+            adjacent = True
+        else:
+            adjacent = False
     return bodies
 
 
@@ -52,8 +56,8 @@ def update(llc, backend, path):
         if define and bodies.get(define.group(1)):
             name = define.group(1)
             result.append(f"; CHECK-LABEL: {name}:")
-            for number, instruction in enumerate(bodies[name]):
-                suffix = "" if number == 0 else "-NEXT"
+            for instruction, adjacent in bodies[name]:
+                suffix = "-NEXT" if adjacent else ""
                 result.append(f"; CHECK{suffix}: {instruction}")
     open(path, "w").write("\n".join(result) + "\n")
 
