@@ -5,12 +5,12 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/AssemblerJob.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/clang/FrontendJob.h"
 #include "clang/Basic/DiagnosticDriver.h"
 #include "clang/Basic/DiagnosticFrontend.h"
 #include "clang/Options/OptionUtils.h"
 #include "clang/Options/Options.h"
-#include "llvm-backend/TPDataLayout.h"
-#include "llvm-backend/clang/FrontendJob.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/MC/MCAsmBackend.h"
 #include "llvm/MC/MCAsmInfo.h"
@@ -164,9 +164,8 @@ bool runAssembler(ArrayRef<const char *> CommandLine,
   Streamer->initSections(/*NoExecStack=*/false, *Subtarget);
   std::unique_ptr<MCAsmParser> Parser(
       createMCAsmParser(Sources, Context, *Streamer, *AsmInfo));
-  std::unique_ptr<MCTargetAsmParser> TargetParser(
-      TheTarget->createMCAsmParser(*Subtarget, *Parser, *Instructions,
-                                   Options));
+  std::unique_ptr<MCTargetAsmParser> TargetParser(TheTarget->createMCAsmParser(
+      *Subtarget, *Parser, *Instructions, Options));
   Parser->setTargetParser(*TargetParser);
   if (!defineSymbols(Context, *Streamer, Arguments, Diags) ||
       Parser->Run(/*NoInitialTextSection=*/false))

@@ -5,10 +5,10 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/ClangTargetInfo.h"
+#include "llvm-backend/TPDataLayout.h"
 #include "clang/Basic/Builtins.h"
 #include "clang/Basic/DiagnosticFrontend.h"
 #include "clang/Basic/MacroBuilder.h"
-#include "llvm-backend/TPDataLayout.h"
 #include "llvm/ADT/StringExtras.h"
 
 using namespace clang;

@@ -29,8 +29,8 @@ public:
   }
 
   bool isValidCPUName(llvm::StringRef Name) const override;
-  void
-  fillValidCPUList(llvm::SmallVectorImpl<llvm::StringRef> &Names) const override;
+  void fillValidCPUList(
+      llvm::SmallVectorImpl<llvm::StringRef> &Names) const override;
   bool setCPU(const std::string &Name) override;
 
   bool isValidFeatureName(llvm::StringRef Name) const override;

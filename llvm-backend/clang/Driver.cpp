@@ -5,6 +5,12 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/Driver.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/clang/AssemblerJob.h"
+#include "llvm-backend/clang/DriverArguments.h"
+#include "llvm-backend/clang/DriverQueries.h"
+#include "llvm-backend/clang/FrontendJob.h"
+#include "llvm-backend/clang/LinkJob.h"
 #include "clang/Basic/DiagnosticDriver.h"
 #include "clang/Driver/Compilation.h"
 #include "clang/Driver/Driver.h"
@@ -12,12 +18,6 @@
 #include "clang/Frontend/CompilerInvocation.h"
 #include "clang/Frontend/TextDiagnosticPrinter.h"
 #include "clang/Options/Options.h"
-#include "llvm-backend/TPDataLayout.h"
-#include "llvm-backend/clang/AssemblerJob.h"
-#include "llvm-backend/clang/DriverArguments.h"
-#include "llvm-backend/clang/DriverQueries.h"
-#include "llvm-backend/clang/FrontendJob.h"
-#include "llvm-backend/clang/LinkJob.h"
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Option/OptTable.h"
 #include "llvm/Support/Errc.h"
@@ -195,8 +195,8 @@ static int runInternalTool(ArrayRef<const char *> Arguments,
 int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
   SmallVector<const char *, 64> Arguments(CommandLine.drop_front());
   BumpPtrAllocator Strings;
-  if (Error Failure = expandResponseFiles(Arguments, /*ClangCLMode=*/false,
-                                          Strings)) {
+  if (Error Failure =
+          expandResponseFiles(Arguments, /*ClangCLMode=*/false, Strings)) {
     errs() << "tpcc: error: " << toString(std::move(Failure)) << '\n';
     return 1;
   }
@@ -206,8 +206,10 @@ int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
   std::string ToolPath =
       sys::fs::getMainExecutable(CommandLine.front(), MainAddress);
 
+  SmallVector<const char *, 64> WithToolName{ToolPath.c_str()};
+  append_range(WithToolName, Arguments);
   std::unique_ptr<DiagnosticOptions> DiagOptions =
-      CreateAndPopulateDiagOpts(Arguments);
+      CreateAndPopulateDiagOpts(WithToolName);
   auto *Printer = new TextDiagnosticPrinter(errs(), *DiagOptions);
   Printer->setPrefix("tpcc");
   DiagnosticsEngine Diags(DiagnosticIDs::create(), *DiagOptions, Printer);

@@ -5,9 +5,9 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/DriverArguments.h"
-#include "clang/Options/Options.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/HostPaths.h"
+#include "clang/Options/Options.h"
 #include "llvm/ADT/STLExtras.h"
 
 using namespace clang::options;

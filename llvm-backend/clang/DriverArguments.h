@@ -1,4 +1,5 @@
-//===- DriverArguments.h - tpcc's defaults among clang's options -*- C++ -*-===//
+//===- DriverArguments.h - tpcc's defaults among clang's options -*- C++
+//-*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -5,10 +5,10 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/DriverQueries.h"
-#include "clang/Basic/Version.h"
-#include "clang/Options/Options.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/HostPaths.h"
+#include "clang/Basic/Version.h"
+#include "clang/Options/Options.h"
 #include "llvm/Option/OptTable.h"
 #include "llvm/Support/Path.h"
 

@@ -5,14 +5,14 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/FrontendJob.h"
+#include "llvm-backend/TPDataLayout.h"
+#include "llvm-backend/clang/ClangTargetInfo.h"
 #include "clang/Basic/DiagnosticFrontend.h"
 #include "clang/CodeGen/CodeGenAction.h"
 #include "clang/Frontend/CompilerInstance.h"
 #include "clang/Frontend/CompilerInvocation.h"
 #include "clang/Frontend/TextDiagnosticBuffer.h"
 #include "clang/FrontendTool/Utils.h"
-#include "llvm-backend/TPDataLayout.h"
-#include "llvm-backend/clang/ClangTargetInfo.h"
 #include "llvm/Support/CommandLine.h"
 
 using namespace clang;
@@ -35,10 +35,9 @@ createInstance(ArrayRef<const char *> Arguments, const char *ToolPath) {
   auto Invocation = std::make_shared<CompilerInvocation>();
   DiagnosticOptions ArgumentDiagnosticOptions;
   TextDiagnosticBuffer ArgumentDiagnostics;
-  DiagnosticsEngine ArgumentEngine(DiagnosticIDs::create(),
-                                   ArgumentDiagnosticOptions,
-                                   &ArgumentDiagnostics,
-                                   /*ShouldOwnClient=*/false);
+  DiagnosticsEngine ArgumentEngine(
+      DiagnosticIDs::create(), ArgumentDiagnosticOptions, &ArgumentDiagnostics,
+      /*ShouldOwnClient=*/false);
   bool ArgumentsAreValid = CompilerInvocation::CreateFromArgs(
       *Invocation, Arguments, ArgumentEngine, ToolPath);
 
@@ -129,7 +128,14 @@ std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
   if (!Instance)
     return nullptr;
   setBackendOptions(Instance->getFrontendOpts().LLVMArgs);
-  Context.setDiscardValueNames(Instance->getCodeGenOpts().DiscardValueNames);
+  // Textual IR cannot be read without its names.
+  bool IsIr = any_of(Instance->getFrontendOpts().Inputs,
+                     [](const FrontendInputFile &Input) {
+                       return Input.getKind().getLanguage() ==
+                              Language::LLVM_IR;
+                     });
+  Context.setDiscardValueNames(Instance->getCodeGenOpts().DiscardValueNames &&
+                               !IsIr);
   EmitLLVMOnlyAction Action(&Context);
   if (!execute(*Instance, Action))
     return nullptr;

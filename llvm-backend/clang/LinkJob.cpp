@@ -5,9 +5,9 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/LinkJob.h"
+#include "llvm-backend/clang/FrontendJob.h"
 #include "clang/Driver/InputInfo.h"
 #include "clang/Options/Options.h"
-#include "llvm-backend/clang/FrontendJob.h"
 #include "llvm/Option/ArgList.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -36,6 +36,29 @@ static OptimizationLevel optimizationLevel(const ArgList &Arguments) {
   if (Value == "1" || Value == "g" || Value.empty())
     return OptimizationLevel::O1;
   return Value == "2" ? OptimizationLevel::O2 : OptimizationLevel::O3;
+}
+
+namespace {
+/// A word of the command line that the link sees: a file or an option.
+struct LinkWord {
+  const InputInfo *File = nullptr;
+  const Arg *Option = nullptr;
+};
+} // namespace
+
+// The files and options of the link in the order of the command line. The
+// command has lost the options, its action has not.
+static std::vector<LinkWord> linkWords(const Command &Job) {
+  std::vector<LinkWord> Words;
+  const InputInfo *NextFile = Job.getInputInfos().data();
+  for (const Action *Input : cast<LinkJobAction>(Job.getSource()).inputs()) {
+    const auto *Given = dyn_cast<InputAction>(Input);
+    if (Given && !Given->getInputArg().getOption().matches(OPT_INPUT))
+      Words.push_back({nullptr, &Given->getInputArg()});
+    else
+      Words.push_back({NextFile++, nullptr});
+  }
+  return Words;
 }
 
 namespace {
@@ -72,13 +95,12 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
                 Arguments.getLastArg(OPT_r, OPT_shared, OPT_rdynamic)
                     ->getAsString(Arguments) +
                 "' is not possible: the TP runs whole programs only");
-  for (const InputInfo &Input : Job.getInputInfos()) {
-    if (Input.isFilename())
-      Inputs.push_back({Input.getBaseInput() ? Input.getBaseInput()
-                                             : Input.getFilename(),
-                        nullptr, Input.getFilename(), WholeArchive});
-    else if (Input.isInputArg())
-      readOption(Input.getInputArg());
+  for (const LinkWord &Word : linkWords(Job)) {
+    if (Word.Option)
+      readOption(*Word.Option);
+    else
+      Inputs.push_back({Word.File->getBaseInput(), nullptr,
+                        Word.File->getFilename(), WholeArchive});
   }
   if (const Arg *Entry = Arguments.getLastArg(OPT_e))
     Options.EntrySymbol = Entry->getValue();
@@ -128,7 +150,8 @@ void LinkPlan::readLinkerWords(ArrayRef<const char *> Words) {
     else if (Matches({"-Map", "--Map"}, Value))
       Options.MapPath = Value;
     else if (Word != "--start-group" && Word != "--end-group")
-      Diags.error("unknown linker option '" + Word + "'; tpcc --help lists them");
+      Diags.error("unknown linker option '" + Word +
+                  "'; tpcc --help lists them");
   }
 }
 
@@ -138,8 +161,8 @@ void LinkPlan::addLibrary(StringRef Name) {
     SmallString<128> Path(Folder);
     sys::path::append(Path, "lib" + Name + ".a");
     if (sys::fs::exists(Path)) {
-      Inputs.push_back({Path.str().str(), nullptr, Path.str().str(),
-                        WholeArchive});
+      Inputs.push_back(
+          {Path.str().str(), nullptr, Path.str().str(), WholeArchive});
       return;
     }
     Searched += (Searched.empty() ? "" : ", ") + Folder;
@@ -148,8 +171,9 @@ void LinkPlan::addLibrary(StringRef Name) {
   if (Name == "c" || Name == "m")
     return;
   Diags.error("cannot find library '-l" + Name + "': no lib" + Name + ".a in " +
-              (Searched.empty() ? StringRef("the folders of -L (there are none)")
-                                : StringRef(Searched)));
+              (Searched.empty()
+                   ? StringRef("the folders of -L (there are none)")
+                   : StringRef(Searched)));
 }
 
 bool LinkJob::run(const Command &Job) {
@@ -175,11 +199,12 @@ void LinkJob::describe(const Compilation &Jobs, const Sysroot &Folders,
   if (!Jobs.getArgs().hasArg(OPT_nostdlib, OPT_nodefaultlibs))
     Words.push_back(StringOwner.MakeArgString(Folders.runtimeBitcode()));
   Jobs.getArgs().AddLastArg(Words, OPT_O_Group);
-  for (const InputInfo &Input : Job.getInputInfos()) {
-    if (Input.isFilename())
-      Words.push_back(Input.getFilename());
-    else if (Input.isInputArg())
-      Input.getInputArg().renderAsInput(Jobs.getArgs(), Words);
+  Jobs.getArgs().AddAllArgs(Words, OPT_L);
+  for (const LinkWord &Word : linkWords(Job)) {
+    if (Word.Option)
+      Word.Option->render(Jobs.getArgs(), Words);
+    else
+      Words.push_back(Word.File->getFilename());
   }
   Job.replaceExecutable(StringOwner.MakeArgString(ToolPath));
   Job.replaceArguments(std::move(Words));

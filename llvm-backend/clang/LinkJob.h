@@ -7,9 +7,9 @@
 #ifndef TP_LLVM_BACKEND_CLANG_LINKJOB_H
 #define TP_LLVM_BACKEND_CLANG_LINKJOB_H
 
-#include "clang/Driver/Compilation.h"
 #include "llvm-backend/clang/Sysroot.h"
 #include "llvm-backend/clang/link/ProgramLinker.h"
+#include "clang/Driver/Compilation.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/IR/LLVMContext.h"
 

@@ -31,8 +31,7 @@ struct Segment {
 /// Builds the file in one buffer.
 class ElfWriter {
 public:
-  ElfWriter(const Layout &Program,
-            ArrayRef<std::unique_ptr<ElfObject>> Objects,
+  ElfWriter(const Layout &Program, ArrayRef<std::unique_ptr<ElfObject>> Objects,
             const SymbolTable &Globals, LinkDiagnostics &Diags)
       : Program(Program), Objects(Objects), Globals(Globals), Diags(Diags) {}
 
@@ -252,10 +251,10 @@ void ElfWriter::writeSectionHeaders() {
   SectionNamesOffset = append(SectionNames.getSize(), 1);
   SectionNames.write(at<uint8_t>(SectionNamesOffset));
 
-  SectionHeadersOffset = append(
-      (1 + Program.Sections.size() + TablesAfterSections) *
-          sizeof(ElfType::Shdr),
-      4);
+  SectionHeadersOffset =
+      append((1 + Program.Sections.size() + TablesAfterSections) *
+                 sizeof(ElfType::Shdr),
+             4);
   auto *Header = at<ElfType::Shdr>(SectionHeadersOffset) + 1;
   for (auto [Section, Offset] : zip_equal(Program.Sections, SectionOffsets)) {
     Header->sh_name = SectionNames.getOffset(Section->Name);
@@ -320,10 +319,11 @@ SmallVector<uint8_t, 0> ElfWriter::write(uint32_t EntryAddress) {
   return std::move(File);
 }
 
-SmallVector<uint8_t, 0>
-writeElf(const Layout &Program, ArrayRef<std::unique_ptr<ElfObject>> Objects,
-         const SymbolTable &Globals, uint32_t EntryAddress,
-         LinkDiagnostics &Diags) {
+SmallVector<uint8_t, 0> writeElf(const Layout &Program,
+                                 ArrayRef<std::unique_ptr<ElfObject>> Objects,
+                                 const SymbolTable &Globals,
+                                 uint32_t EntryAddress,
+                                 LinkDiagnostics &Diags) {
   return ElfWriter(Program, Objects, Globals, Diags).write(EntryAddress);
 }
 

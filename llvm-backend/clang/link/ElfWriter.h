@@ -14,11 +14,9 @@ namespace tp {
 
 /// Makes the bytes of the ELF executable: sections with their relocations
 /// applied, program headers, symbol table.
-llvm::SmallVector<uint8_t, 0>
-writeElf(const Layout &Program,
-         llvm::ArrayRef<std::unique_ptr<ElfObject>> Objects,
-         const SymbolTable &Globals, uint32_t EntryAddress,
-         LinkDiagnostics &Diags);
+llvm::SmallVector<uint8_t, 0> writeElf(
+    const Layout &Program, llvm::ArrayRef<std::unique_ptr<ElfObject>> Objects,
+    const SymbolTable &Globals, uint32_t EntryAddress, LinkDiagnostics &Diags);
 
 } // namespace tp
 

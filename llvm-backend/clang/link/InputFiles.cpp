@@ -109,7 +109,7 @@ void InputFiles::addObject(MemoryBufferRef Buffer) {
     bool IsDefined = !(*Flags & BasicSymbolRef::SF_Undefined);
     MentionedByObjects.insert(Name);
     if (IsDefined && !(*Flags & BasicSymbolRef::SF_Weak))
-      DefinedByObjects.insert(Name);
+      DefinedByObjects.try_emplace(Name, Buffer.getBufferIdentifier());
     if (IsDefined || !(*Flags & BasicSymbolRef::SF_Weak))
       noteSymbol(Name, IsDefined);
   }

@@ -32,8 +32,10 @@ public:
   /// The identifiers of the buffers are the names in messages.
   std::vector<llvm::MemoryBufferRef> Objects;
 
-  /// All names that objects mention, and those that they define.
-  llvm::StringSet<> MentionedByObjects, DefinedByObjects;
+  /// All names that objects mention.
+  llvm::StringSet<> MentionedByObjects;
+  /// The names that objects define, with the name of the first such object.
+  llvm::StringMap<std::string> DefinedByObjects;
 
 private:
   struct Member {

@@ -80,8 +80,8 @@ static OutputSection &outputFor(Layout &Program, const InputSection &Input) {
 
 static void gather(Layout &Program,
                    ArrayRef<std::unique_ptr<ElfObject>> Objects) {
-  static constexpr uint32_t KeptFlags = SHF_ALLOC | SHF_WRITE | SHF_EXECINSTR |
-                                        SHF_TLS | SHF_MERGE | SHF_STRINGS;
+  static constexpr uint32_t KeptFlags =
+      SHF_ALLOC | SHF_WRITE | SHF_EXECINSTR | SHF_TLS | SHF_MERGE | SHF_STRINGS;
   for (const auto &Object : Objects)
     for (const auto &Input : Object->sections())
       if (Input && Input->Live) {
@@ -95,11 +95,10 @@ static void gather(Layout &Program,
       Section->Flags &= ~(SHF_MERGE | SHF_STRINGS);
     if (Section->Class == SectionClass::InitArray ||
         Section->Class == SectionClass::FiniArray)
-      llvm::stable_sort(Section->Inputs,
-                        [](const InputSection *A, const InputSection *B) {
-                          return constructorPriority(A) <
-                                 constructorPriority(B);
-                        });
+      llvm::stable_sort(
+          Section->Inputs, [](const InputSection *A, const InputSection *B) {
+            return constructorPriority(A) < constructorPriority(B);
+          });
   }
   llvm::stable_sort(Program.Sections, [](const auto &A, const auto &B) {
     return A->Class < B->Class;

@@ -50,8 +50,8 @@ void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals) {
       {"__tp_tls_begin", Program.ThreadLocalBegin},
       {"__tp_tls_end", memorymap::ThreadLocalEnd},
       {"__tp_stack_top",
-       static_cast<uint32_t>(alignDown(Program.ThreadLocalBegin,
-                                       memorymap::StackAlignment))},
+       static_cast<uint32_t>(
+           alignDown(Program.ThreadLocalBegin, memorymap::StackAlignment))},
       {"__tp_tdata_image", Program.ThreadLocalDataImage
                                ? Program.ThreadLocalDataImage
                                : Program.ImageEnd},

@@ -27,8 +27,7 @@ static void addRuntime(WholeProgram &Program, LLVMContext &Context,
                        LinkDiagnostics &Diags) {
   auto Buffer = MemoryBuffer::getFile(Path);
   if (std::error_code Failure = Buffer.getError()) {
-    Diags.error("cannot read the runtime '" + Path +
-                "': " + Failure.message() +
+    Diags.error("cannot read the runtime '" + Path + "': " + Failure.message() +
                 "; build the target tp-runtime, or link with -nostdlib");
     return;
   }
@@ -51,7 +50,7 @@ static void reportDuplicates(const WholeProgram &Program,
   for (const auto &Symbol : Files.DefinedByObjects)
     if (StringRef Unit = Program.definitionOf(Symbol.getKey()); !Unit.empty())
       Diags.error("duplicate symbol: " + Symbol.getKey() + "\n  defined in " +
-                  Unit + "\n  defined in an object or assembly file");
+                  Unit + "\n  defined in " + Symbol.getValue());
 }
 
 static bool writeExecutable(ArrayRef<uint8_t> Contents, StringRef Path,
@@ -114,14 +113,12 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
     ProgramObject = Program.compile(Options.Level, Exported);
     if (Diags.hasErrors())
       return false;
-    Objects.push_back(
-        {StringRef(ProgramObject.data(), ProgramObject.size()),
-         WholeProgramName});
+    Objects.push_back({StringRef(ProgramObject.data(), ProgramObject.size()),
+                       WholeProgramName});
   }
   append_range(Objects, Files.Objects);
   SmallVector<uint8_t, 0> File = linkElf(Objects, ElfOptions, Diags);
-  return !Diags.hasErrors() &&
-         writeExecutable(File, Options.OutputPath, Diags);
+  return !Diags.hasErrors() && writeExecutable(File, Options.OutputPath, Diags);
 }
 
 } // namespace tp

@@ -59,8 +59,8 @@ void reportUndefinedSymbols(ArrayRef<std::unique_ptr<ElfObject>> Objects,
 //===----------------------------------------------------------------------===//
 
 // What debug data says of code and data that are not in the program. Readers of
-// DWARF know the all-ones address as "nowhere"; in the lists of DWARF 4 it has a
-// meaning of its own.
+// DWARF know the all-ones address as "nowhere"; in the lists of DWARF 4 it has
+// a meaning of its own.
 static uint32_t deadAddress(const InputSection &Section) {
   return Section.Name == ".debug_loc" || Section.Name == ".debug_ranges"
              ? 1
@@ -79,8 +79,8 @@ struct Place {
   LinkDiagnostics &Diags;
 
   void reportRange(int64_t Got, const Twine &Range, const Twine &Cure) const {
-    Diags.error(Section.File->describePlace(Section, Offset) +
-                ": relocation " + TPELF::getRelocationName(Type) +
+    Diags.error(Section.File->describePlace(Section, Offset) + ": relocation " +
+                TPELF::getRelocationName(Type) +
                 (Target && !Target->Name.empty() ? " to '" + Target->Name + "'"
                                                  : Twine("")) +
                 " is out of range: " + Twine(Got) + " is not in " + Range +
@@ -98,7 +98,8 @@ struct Place {
                   "[" + Twine(minIntN(Bits + 2)) + ", " +
                       Twine(maxIntN(Bits + 2)) + "]",
                   "; jump with `la` and `jr`, or move the code nearer");
-    return static_cast<uint32_t>(Distance >> 2) & maskTrailingOnes<uint32_t>(Bits);
+    return static_cast<uint32_t>(Distance >> 2) &
+           maskTrailingOnes<uint32_t>(Bits);
   }
 
   /// The value as \p Bits bits, signed or unsigned.
@@ -176,8 +177,8 @@ void relocate(const InputSection &Section, MutableArrayRef<uint8_t> Bytes,
     uint32_t Value = Relocation.r_addend;
     if (Target)
       Value += Target->address();
-    bool IsDead = Target && (Target->Section ? !Target->Section->Live
-                                             : !Target->Defined);
+    bool IsDead =
+        Target && (Target->Section ? !Target->Section->Live : !Target->Defined);
     if (IsDead && !Section.isAllocated())
       Value = deadAddress(Section);
     apply({Section, Target, Offset, Type, Value, Diags}, &Bytes[Offset]);

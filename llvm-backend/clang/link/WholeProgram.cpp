@@ -6,9 +6,9 @@
 
 #include "llvm-backend/clang/link/WholeProgram.h"
 #include "llvm-backend/TPDataLayout.h"
-#include "llvm-backend/clang/link/Libcalls.h"
-#include "llvm/Analysis/LoopAnalysisManager.h"
+#include "llvm-backend/clang/link/LibraryFunctions.h"
 #include "llvm/Analysis/CGSCCPassManager.h"
+#include "llvm/Analysis/LoopAnalysisManager.h"
 #include "llvm/Demangle/Demangle.h"
 #include "llvm/IR/DiagnosticInfo.h"
 #include "llvm/IR/DiagnosticPrinter.h"
@@ -85,8 +85,7 @@ void WholeProgram::recordSymbols(const Module &Unit, StringRef Name) {
     }
     if (!Global.hasExternalLinkage())
       continue;
-    auto [Known, IsNew] =
-        Definitions.try_emplace(Global.getName(), Name.str());
+    auto [Known, IsNew] = Definitions.try_emplace(Global.getName(), Name.str());
     if (!IsNew)
       Diags.error("duplicate symbol: " + demangle(Global.getName()) +
                   "\n  defined in " + Known->second + "\n  defined in " + Name);
@@ -131,7 +130,8 @@ static void dropDefinition(GlobalValue &Global) {
   Module &Unit = *Global.getParent();
   GlobalValue *Declaration;
   if (auto *Type = dyn_cast<FunctionType>(Global.getValueType()))
-    Declaration = Function::Create(Type, GlobalValue::ExternalLinkage, "", Unit);
+    Declaration =
+        Function::Create(Type, GlobalValue::ExternalLinkage, "", Unit);
   else
     Declaration = new GlobalVariable(Unit, Global.getValueType(),
                                      /*isConstant=*/false,
@@ -142,7 +142,7 @@ static void dropDefinition(GlobalValue &Global) {
 }
 
 void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
-                              const StringSet<> &DefinedElsewhere) {
+                              const StringMap<std::string> &DefinedElsewhere) {
   SmallVector<GlobalValue *> Replaced;
   for (GlobalValue &Global : Runtime->global_values())
     if (!Global.isDeclaration() && !Global.hasLocalLinkage() &&
@@ -168,10 +168,11 @@ StringRef WholeProgram::definitionOf(StringRef Symbol) const {
 //===----------------------------------------------------------------------===//
 
 void WholeProgram::internalize(const StringSet<> &Exported) {
+  StringSet<> Kept = Exported;
+  Kept.insert_range(UsedByAssembly.keys());
+  Kept.insert_range(libraryFunctionsToKeep(*Program, Kept).keys());
   internalizeModule(*Program, [&](const GlobalValue &Global) {
-    StringRef Name = Global.getName();
-    return Exported.contains(Name) || UsedByAssembly.contains(Name) ||
-           isLibraryFunction(Name);
+    return Kept.contains(Global.getName());
   });
 }
 

@@ -35,7 +35,7 @@ public:
   /// Adds the runtime. Definitions of the program, or in \p DefinedElsewhere,
   /// take the place of the runtime's.
   void addRuntime(std::unique_ptr<llvm::Module> Runtime, llvm::StringRef Name,
-                  const llvm::StringSet<> &DefinedElsewhere);
+                  const llvm::StringMap<std::string> &DefinedElsewhere);
 
   bool isEmpty() const { return Units == 0; }
   /// Where the source refers to \p Symbol: `file:function`, or empty.

@@ -1,0 +1,7 @@
+  .text
+  .globl _start
+  .type _start,@function
+_start:
+  jal main
+  halt r2
+  .size _start, .-_start
