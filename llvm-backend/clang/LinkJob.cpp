@@ -88,6 +88,8 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
   Options.Level = optimizationLevel(Arguments);
   if (!Job.getOutputFilenames().empty())
     Options.OutputPath = Job.getOutputFilenames().front();
+  const Arg *Debug = Arguments.getLastArg(OPT_g_Group);
+  Options.FullRuntimeDebugInfo = Debug && !Debug->getOption().matches(OPT_g0);
   if (!Arguments.hasArg(OPT_nostdlib, OPT_nodefaultlibs))
     Options.RuntimePath = Folders.runtimeBitcode();
   if (Arguments.hasArg(OPT_r, OPT_shared, OPT_rdynamic))

@@ -6,7 +6,7 @@
 // RUN: tpcc -O0 -gdwarf-4 %s -o %t.elf && llvm-dwarfdump --verify %t.elf
 // RUN: tpcc -O2 -g -fno-lto -ffunction-sections %s -o %t.elf && llvm-dwarfdump --verify %t.elf
 // RUN: tpcc -O2 -g -nostdlib -DBARE %s -o %t.elf
-// RUN: llvm-symbolizer --obj=%t.elf 0x10000 | FileCheck --check-prefix=FRAMES %s
+// RUN: tp-objdump -d %t.elf | grep -w sw | sed -e 's/^ */0x/' -e 's/:.*//' | llvm-symbolizer --obj=%t.elf | FileCheck --check-prefix=FRAMES %s
 
 // CHECK: DW_TAG_subprogram
 // CHECK: DW_AT_name ("inner")
@@ -19,7 +19,7 @@ static inline __attribute__((always_inline)) void outer(volatile int *P) {
 }
 
 // FRAMES: inner(int volatile*)
-// FRAMES-NEXT: debug-info.cpp:[[#@LINE - 8]]
+// FRAMES-NEXT: debug-info.cpp:[[#@LINE - 7]]
 // FRAMES-NEXT: outer(int volatile*)
 // FRAMES-NEXT: debug-info.cpp:[[#@LINE - 7]]
 // FRAMES-NEXT: _start

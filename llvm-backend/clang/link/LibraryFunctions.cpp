@@ -28,11 +28,12 @@ public:
   bool uses(Group Kind) const { return Groups & 1u << unsigned(Kind); }
 
 private:
-  void visit(const Instruction &Instruction);
-  void visitOperands(const User &User);
+  void visit(const Instruction &Instruction, bool MayChangeCalls);
+  void visitOperands(const User &User, bool MayChangeCalls);
+  void noteCall(const Function &Callee, bool MayChangeCalls);
   void noteUse(Group Kind) { Groups |= 1u << unsigned(Kind); }
 
-  SmallPtrSet<const Value *, 64> Marked;
+  SmallPtrSet<const Value *, 32> Marked;
   SmallVector<const GlobalValue *, 64> Pending;
   unsigned Groups = 0;
 };
@@ -82,42 +83,65 @@ static Group groupOf(const Function &Candidate) {
 }
 
 void Reachability::mark(const GlobalValue *Global) {
-  if (!Global || !Marked.insert(Global).second)
-    return;
-  Pending.push_back(Global);
-  if (const auto *Callee = dyn_cast<Function>(Global)) {
-    if (Callee->isIntrinsic())
-      noteUse(mathGroup(*Callee->getFunctionType()));
-    else
-      noteUse(groupOf(*Callee));
-  }
+  if (Marked.insert(Global).second)
+    Pending.push_back(Global);
 }
 
-void Reachability::visitOperands(const User &User) {
+void Reachability::visitOperands(const User &User, bool MayChangeCalls) {
   for (const Use &Operand : User.operands()) {
-    if (const auto *Global = dyn_cast<GlobalValue>(Operand))
+    if (const auto *Global = dyn_cast<GlobalValue>(Operand)) {
       mark(Global);
-    else if (isa<Constant>(Operand) && Marked.insert(Operand).second)
-      visitOperands(*cast<Constant>(Operand));
+      if (const auto *Callee = dyn_cast<Function>(Global))
+        noteCall(*Callee, MayChangeCalls);
+    } else if (isa<Constant>(Operand) && Marked.insert(Operand).second) {
+      visitOperands(*cast<Constant>(Operand), MayChangeCalls);
+    }
   }
 }
 
-void Reachability::visit(const Instruction &Instruction) {
+// Intrinsics that need no library for any type.
+static bool isAlwaysInline(Intrinsic::ID Intrinsic) {
+  switch (Intrinsic) {
+  case Intrinsic::fabs:
+  case Intrinsic::copysign:
+  case Intrinsic::fptosi_sat:
+  case Intrinsic::fptoui_sat:
+  case Intrinsic::is_fpclass:
+    return true;
+  default:
+    return false;
+  }
+}
+
+void Reachability::noteCall(const Function &Callee, bool MayChangeCalls) {
+  if (!Callee.isIntrinsic()) {
+    if (MayChangeCalls)
+      noteUse(groupOf(Callee));
+  } else if (!isAlwaysInline(Callee.getIntrinsicID())) {
+    noteUse(mathGroup(*Callee.getFunctionType()));
+  }
+}
+
+void Reachability::visit(const Instruction &Instruction, bool MayChangeCalls) {
   // The remainder is a call of fmod or fmodf.
   if (Instruction.getOpcode() == Instruction::FRem)
     noteUse(Instruction.getType()->getScalarType()->isDoubleTy()
                 ? Group::DoubleMath
                 : Group::FloatMath);
-  visitOperands(Instruction);
+  visitOperands(Instruction, MayChangeCalls);
 }
 
 void Reachability::follow() {
   while (!Pending.empty()) {
     const GlobalValue *Global = Pending.pop_back_val();
-    visitOperands(*Global);
-    if (const auto *Body = dyn_cast<Function>(Global))
-      for (const Instruction &Instruction : instructions(Body))
-        visit(Instruction);
+    visitOperands(*Global, /*MayChangeCalls=*/false);
+    const auto *Body = dyn_cast<Function>(Global);
+    if (!Body)
+      continue;
+    // With -fno-builtin, as in the runtime itself, a call stays what it is.
+    bool MayChangeCalls = !Body->hasFnAttribute("no-builtins");
+    for (const Instruction &Instruction : instructions(Body))
+      visit(Instruction, MayChangeCalls);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "llvm-backend/clang/link/InputFiles.h"
 #include "llvm-backend/clang/link/WholeProgram.h"
 #include "llvm/Bitcode/BitcodeReader.h"
+#include "llvm/IR/DebugInfo.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/ToolOutputFile.h"
 
@@ -23,8 +24,9 @@ static constexpr const char LaunchBlockSymbol[] = "__tp_launch";
 static constexpr const char WholeProgramName[] = "<program>";
 
 static void addRuntime(WholeProgram &Program, LLVMContext &Context,
-                       const std::string &Path, const InputFiles &Files,
+                       const LinkOptions &Options, const InputFiles &Files,
                        LinkDiagnostics &Diags) {
+  const std::string &Path = Options.RuntimePath;
   auto Buffer = MemoryBuffer::getFile(Path);
   if (std::error_code Failure = Buffer.getError()) {
     Diags.error("cannot read the runtime '" + Path + "': " + Failure.message() +
@@ -39,6 +41,8 @@ static void addRuntime(WholeProgram &Program, LLVMContext &Context,
                 "; build the target tp-runtime again");
     return;
   }
+  if (!Options.FullRuntimeDebugInfo)
+    stripNonLineTableDebugInfo(**Runtime);
   Program.addRuntime(std::move(*Runtime), "the runtime",
                      Files.DefinedByObjects);
 }
@@ -87,7 +91,7 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
     Program.add(std::move(Unit.Unit), Unit.Name);
   reportDuplicates(Program, Files, Diags);
   if (!Options.RuntimePath.empty())
-    addRuntime(Program, Context, Options.RuntimePath, Files, Diags);
+    addRuntime(Program, Context, Options, Files, Diags);
   if (Diags.hasErrors())
     return false;
 

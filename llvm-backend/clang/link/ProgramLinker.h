@@ -39,6 +39,9 @@ struct LinkOptions {
   std::vector<std::string> KeptSymbols;
   std::string MapPath;
   bool CollectGarbage = true;
+  /// Whether debug data describes the runtime's variables and types, and not
+  /// only its lines.
+  bool FullRuntimeDebugInfo = false;
   llvm::OptimizationLevel Level = llvm::OptimizationLevel::O0;
 };
 
