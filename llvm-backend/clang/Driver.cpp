@@ -20,8 +20,10 @@
 #include "clang/Options/Options.h"
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Option/OptTable.h"
-#include "llvm/Support/Errc.h"
+#include "llvm/Support/ErrorHandling.h"
 #include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Process.h"
+#include "llvm/Support/Signals.h"
 #include "llvm/Support/VirtualFileSystem.h"
 
 using namespace clang;
@@ -192,7 +194,15 @@ static int runInternalTool(ArrayRef<const char *> Arguments,
   return !runAssembler(Arguments.drop_front(), Diags);
 }
 
+// What the optimizer and the code generator cannot do ends the run.
+[[noreturn]] static void exitOnFatalError(void *, const char *Message, bool) {
+  errs() << "tpcc: error: " << Message << '\n';
+  sys::RunInterruptHandlers();
+  sys::Process::Exit(1);
+}
+
 int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
+  ScopedFatalErrorHandler FatalErrors(exitOnFatalError);
   SmallVector<const char *, 64> Arguments(CommandLine.drop_front());
   BumpPtrAllocator Strings;
   if (Error Failure =

@@ -21,7 +21,7 @@ static inline __attribute__((always_inline)) void outer(volatile int *P) {
 // FRAMES: inner(int volatile*)
 // FRAMES-NEXT: debug-info.cpp:[[#@LINE - 7]]
 // FRAMES-NEXT: outer(int volatile*)
-// FRAMES-NEXT: debug-info.cpp:[[#@LINE - 7]]
+// FRAMES-NEXT: debug-info.cpp:[[#@LINE - 6]]
 // FRAMES-NEXT: _start
 #ifdef BARE
 extern "C" void _start() {

@@ -101,8 +101,8 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
   ElfOptions.Roots.push_back(LaunchBlockSymbol);
   ElfOptions.CollectGarbage = Options.CollectGarbage;
   ElfOptions.MapPath = Options.MapPath;
-  ElfOptions.Hint = [&](StringRef Symbol) {
-    return Program.referenceTo(Symbol);
+  ElfOptions.Hint = [&](StringRef Symbol, StringRef Function) {
+    return Program.referenceTo(Symbol, Function);
   };
 
   std::vector<MemoryBufferRef> Objects;

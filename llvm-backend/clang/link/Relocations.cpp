@@ -35,7 +35,10 @@ void reportUndefinedSymbols(ArrayRef<std::unique_ptr<ElfObject>> Objects,
         if (!Target || Target->Defined || Target->WeaklyReferenced)
           continue;
         std::vector<std::string> &Places = References[Target->Name];
-        std::string Place = Hint(Target->Name);
+        const Symbol *Function =
+            Object->enclosingSymbol(*Section, Relocation.r_offset);
+        std::string Place =
+            Hint(Target->Name, Function ? Function->Name : StringRef());
         if (Place.empty())
           Place = Object->describePlace(*Section, Relocation.r_offset);
         if (!is_contained(Places, Place))

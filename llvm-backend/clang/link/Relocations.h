@@ -13,9 +13,10 @@
 
 namespace tp {
 
-/// Says where the source refers to a symbol, for an object that was made from
-/// several source files; empty if it is not known.
-using ReferenceHint = std::function<std::string(llvm::StringRef Symbol)>;
+/// Says where the source refers to \p Symbol in \p Function, for an object that
+/// was made from several source files; empty if it is not known.
+using ReferenceHint = std::function<std::string(llvm::StringRef Symbol,
+                                                llvm::StringRef Function)>;
 
 /// Reports the symbols that live sections refer to and nothing defines.
 void reportUndefinedSymbols(llvm::ArrayRef<std::unique_ptr<ElfObject>> Objects,

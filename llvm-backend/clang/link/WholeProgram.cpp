@@ -154,8 +154,12 @@ void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
   add(std::move(Runtime), Name);
 }
 
-std::string WholeProgram::referenceTo(StringRef Symbol) const {
-  return References.lookup(Symbol);
+std::string WholeProgram::referenceTo(StringRef Symbol,
+                                      StringRef Function) const {
+  if (auto Known = References.find(Symbol); Known != References.end())
+    return Known->second;
+  StringRef Unit = definitionOf(Function);
+  return Unit.empty() ? "" : (Unit + ":" + demangle(Function)).str();
 }
 
 StringRef WholeProgram::definitionOf(StringRef Symbol) const {

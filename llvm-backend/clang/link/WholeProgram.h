@@ -38,8 +38,10 @@ public:
                   const llvm::StringMap<std::string> &DefinedElsewhere);
 
   bool isEmpty() const { return Units == 0; }
-  /// Where the source refers to \p Symbol: `file:function`, or empty.
-  std::string referenceTo(llvm::StringRef Symbol) const;
+  /// Where the source refers to \p Symbol, or else, if the compiler made the
+  /// reference, where it has \p Function: `file:function`, or empty.
+  std::string referenceTo(llvm::StringRef Symbol,
+                          llvm::StringRef Function) const;
   /// The name of the unit that defines \p Symbol, or empty.
   llvm::StringRef definitionOf(llvm::StringRef Symbol) const;
 
