@@ -23,12 +23,16 @@ FunctionPass *createTPISelDag(TPTargetMachine &TM, CodeGenOptLevel OptLevel);
 /// attributes that TPBuiltins.def promises.
 ModulePass *createTPBuiltinAttributesPass();
 
+/// Creates the pass that makes values loaded from global memory dear to spill.
+FunctionPass *createTPGlobalLoadsPass();
+
 /// Adds the assembly printer to LLVM's target registry.
 void registerTPAsmPrinter();
 
 void initializeTPAsmPrinterPass(PassRegistry &);
 void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
 void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);
+void initializeTPGlobalLoadsPass(PassRegistry &);
 
 } // namespace llvm
 

@@ -109,6 +109,19 @@ bool TPInstrInfo::isReMaterializableImpl(const MachineInstr &MI) const {
   }
 }
 
+bool TPInstrInfo::isAsCheapAsAMove(const MachineInstr &MI) const {
+  switch (MI.getOpcode()) {
+  case TP::ADDI:
+  case TP::ORI:
+  case TP::MTC1:
+    // Constants and addresses of locals; the others compute something that is
+    // worth keeping.
+    return isReMaterializableImpl(MI);
+  default:
+    return TargetInstrInfo::isAsCheapAsAMove(MI);
+  }
+}
+
 static MachineMemOperand *getSpillOperand(MachineFunction &MF, int FrameIndex,
                                           MachineMemOperand::Flags Flags) {
   return MF.getMachineMemOperand(

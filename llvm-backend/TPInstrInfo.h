@@ -73,6 +73,7 @@ public:
                              int64_t Offset) const override;
   unsigned getInstSizeInBytes(const MachineInstr &MI) const override;
 
+  bool isAsCheapAsAMove(const MachineInstr &MI) const override;
   bool isGlobalMemoryObject(const MachineInstr *MI) const override;
   bool areMemAccessesTriviallyDisjoint(const MachineInstr &A,
                                        const MachineInstr &B) const override;

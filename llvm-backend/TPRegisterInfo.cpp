@@ -47,6 +47,13 @@ Register TPRegisterInfo::getFrameRegister(const MachineFunction &MF) const {
   return MF.getSubtarget().getFrameLowering()->hasFP(MF) ? TP::R30 : TP::R29;
 }
 
+float TPRegisterInfo::getSpillWeightScaleFactor(
+    const TargetRegisterClass *RC) const {
+  // Spilling and reloading such a value costs some hundred cycles, any other
+  // two. Measured on the path tracer: 2 to 100 make no difference, 1 a quarter.
+  return RC == &TP::GPRLoadedRegClass || RC == &TP::FPRLoadedRegClass ? 16 : 1;
+}
+
 Register TPRegisterInfo::getBaseRegister() const { return TP::R23; }
 
 bool TPRegisterInfo::hasBasePointer(const MachineFunction &MF) const {

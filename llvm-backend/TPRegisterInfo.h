@@ -26,6 +26,7 @@ public:
   BitVector getReservedRegs(const MachineFunction &MF) const override;
   Register getFrameRegister(const MachineFunction &MF) const override;
   bool canRealignStack(const MachineFunction &MF) const override;
+  float getSpillWeightScaleFactor(const TargetRegisterClass *RC) const override;
 
   /// The register that addresses the locals of a function whose stack is both
   /// realigned and of variable size.

@@ -43,6 +43,15 @@ def FPR : RegisterClass<"TP", [f32], 32,
   let DiagnosticString = "operand must be a float register (f0 to f31)";
 }
 
+// For what comes from global memory: the same registers, dearer to spill
+// (TPGlobalLoads.cpp).
+def GPRLoaded : RegisterClass<"TP", [i32], 32, (add GPR)> {
+  let DiagnosticString = GPR.DiagnosticString;
+}
+def FPRLoaded : RegisterClass<"TP", [f32], 32, (add FPR)> {
+  let DiagnosticString = FPR.DiagnosticString;
+}
+
 //===----------------------------------------------------------------------===//
 // Special registers, read by `mfsr`
 //===----------------------------------------------------------------------===//

@@ -65,15 +65,20 @@ static bool isInLocalStore(const MachineMemOperand &Operand) {
   return Global && Global->isThreadLocal();
 }
 
+bool TPSubtarget::isGlobalLoad(const MachineInstr &MI) {
+  return MI.mayLoad() &&
+         (MI.memoperands_empty() ||
+          !all_of(MI.memoperands(), [](const MachineMemOperand *Operand) {
+            return isInLocalStore(*Operand);
+          }));
+}
+
 void TPSubtarget::adjustSchedDependency(SUnit *Def, int, SUnit *, int,
                                         SDep &Dep,
                                         const TargetSchedModel *) const {
   if (Dep.getKind() != SDep::Data || !Def->isInstr())
     return;
   const MachineInstr &MI = *Def->getInstr();
-  if (MI.mayLoad() && !MI.memoperands_empty() &&
-      all_of(MI.memoperands(), [](const MachineMemOperand *Operand) {
-        return isInLocalStore(*Operand);
-      }))
+  if (MI.mayLoad() && !isGlobalLoad(MI))
     Dep.setLatency(1);
 }

@@ -57,6 +57,9 @@ public:
                              SDep &Dep,
                              const TargetSchedModel *SchedModel) const override;
 
+  /// Whether \p MI loads from what is not surely in the local store.
+  static bool isGlobalLoad(const MachineInstr &MI);
+
   // Made by TableGen.
   void ParseSubtargetFeatures(StringRef CPU, StringRef TuneCPU, StringRef FS);
 

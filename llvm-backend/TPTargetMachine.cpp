@@ -32,6 +32,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
     initializeTPAsmPrinterPass(Registry);
     initializeTPBuiltinAttributesLegacyPass(Registry);
     initializeTPDAGToDAGISelLegacyPass(Registry);
+    initializeTPGlobalLoadsPass(Registry);
     return true;
   }();
   (void)Initialized;
@@ -125,6 +126,11 @@ public:
   bool addInstSelector() override {
     addPass(createTPISelDag(getTPTargetMachine(), getOptLevel()));
     return false;
+  }
+
+  void addPreRegAlloc() override {
+    if (getOptLevel() != CodeGenOptLevel::None)
+      addPass(createTPGlobalLoadsPass());
   }
 
   void addPreEmitPass() override { addPass(&BranchRelaxationPassID); }
