@@ -72,6 +72,7 @@ public:
   std::vector<LinkInput> Inputs;
 
 private:
+  void refuse(ArrayRef<OptSpecifier> Kinds, const char *Reason);
   void readOption(const Arg &Argument);
   void readLinkerWords(ArrayRef<const char *> Words);
   void addLibrary(StringRef Name);
@@ -92,11 +93,11 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
   Options.FullRuntimeDebugInfo = Debug && !Debug->getOption().matches(OPT_g0);
   if (!Arguments.hasArg(OPT_nostdlib, OPT_nodefaultlibs))
     Options.RuntimePath = Folders.runtimeBitcode();
-  if (Arguments.hasArg(OPT_r, OPT_shared, OPT_rdynamic))
-    Diags.error("'" +
-                Arguments.getLastArg(OPT_r, OPT_shared, OPT_rdynamic)
-                    ->getAsString(Arguments) +
-                "' is not possible: the TP runs whole programs only");
+  refuse({OPT_r, OPT_shared, OPT_rdynamic, OPT_pie, OPT_static_pie},
+         "the TP runs whole programs at fixed addresses");
+  refuse({OPT_T}, "the TP's memory map is fixed (docs/tpcc.md)");
+  refuse({OPT_s}, "the simulator needs the symbols; llvm-strip --strip-debug "
+                  "makes a program smaller");
   for (const LinkWord &Word : linkWords(Job)) {
     if (Word.Option)
       readOption(*Word.Option);
@@ -108,6 +109,13 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
     Options.EntrySymbol = Entry->getValue();
   for (const std::string &Name : Arguments.getAllArgValues(OPT_u))
     Options.KeptSymbols.push_back(Name);
+}
+
+void LinkPlan::refuse(ArrayRef<OptSpecifier> Kinds, const char *Reason) {
+  for (const Arg *Given : Arguments)
+    if (is_contained(Kinds, Given->getOption().getID()))
+      Diags.error("'" + Given->getAsString(Arguments) +
+                  "' is not possible: " + Reason);
 }
 
 void LinkPlan::readOption(const Arg &Argument) {
