@@ -11,7 +11,6 @@
 int main(int ArgumentCount, char **Arguments) {
   llvm::InitLLVM Initialization(ArgumentCount, Arguments);
   LLVMInitializeTPTarget();
-  return tp::runDriver(
-      llvm::ArrayRef<const char *>(Arguments, ArgumentCount),
-      reinterpret_cast<void *>(&main));
+  return tp::runDriver(llvm::ArrayRef<const char *>(Arguments, ArgumentCount),
+                       reinterpret_cast<void *>(&main));
 }
