@@ -1,4 +1,4 @@
-//===- TP.h - The TP code generator's passes -------===//
+//===- TP.h - The TP code generator's passes --------------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPAsmPrinter.cpp - From machine functions to assembly -------===//
+//===- TPAsmPrinter.cpp - From machine functions to assembly --------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPBuiltinAttributes.cpp - Attributes of the TP builtins -------===//
+//===- TPBuiltinAttributes.cpp - Attributes of the TP builtins ------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

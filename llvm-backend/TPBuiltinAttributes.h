@@ -1,4 +1,4 @@
-//===- TPBuiltinAttributes.h - Attributes of the TP builtins -------===//
+//===- TPBuiltinAttributes.h - Attributes of the TP builtins ----*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPBuiltinLowering.cpp - Calls of the TP builtins -------===//
+//===- TPBuiltinLowering.cpp - Calls of the TP builtins -------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,5 +1,4 @@
-//===- TPBuiltins.cpp - The TP's compiler builtins in the code generator
-//-------===//
+//===- TPBuiltins.cpp - The TP's compiler builtins ------------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

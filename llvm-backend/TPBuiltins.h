@@ -1,5 +1,4 @@
-//===- TPBuiltins.h - The TP's compiler builtins in the code generator
-//-------===//
+//===- TPBuiltins.h - The TP's compiler builtins ----------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPCallLowering.cpp - Calls, arguments and returns -------===//
+//===- TPCallLowering.cpp - Calls, arguments and returns ------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPFrameLowering.cpp - Stack frames -------===//
+//===- TPFrameLowering.cpp - Stack frames ---------------------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPFrameLowering.h - Stack frames -------===//
+//===- TPFrameLowering.h - Stack frames -------------------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPISelDAGToDAG.cpp - Instruction selection -------===//
+//===- TPISelDAGToDAG.cpp - Instruction selection -------------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -263,8 +263,9 @@ void TPDAGToDAGISel::Select(SDNode *Node) {
   }
   case ISD::Constant:
     if (cast<ConstantSDNode>(Node)->isZero()) {
-      ReplaceNode(Node, CurDAG->getCopyFromReg(CurDAG->getEntryNode(),
-                                               SDLoc(Node), TP::R0, MVT::i32)
+      ReplaceNode(Node, CurDAG
+                            ->getCopyFromReg(CurDAG->getEntryNode(),
+                                             SDLoc(Node), TP::R0, MVT::i32)
                             .getNode());
       return;
     }

@@ -1,4 +1,4 @@
-//===- TPISelLowering.cpp - How the TP sees the selection DAG -------===//
+//===- TPISelLowering.cpp - How the TP sees the selection DAG -------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

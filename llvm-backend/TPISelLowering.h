@@ -1,4 +1,4 @@
-//===- TPISelLowering.h - How the TP sees the selection DAG -------===//
+//===- TPISelLowering.h - How the TP sees the selection DAG -----*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPInlineAsm.cpp - Constraints of inline assembly -------===//
+//===- TPInlineAsm.cpp - Constraints of inline assembly -------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -94,6 +94,6 @@ Register TPTargetLowering::getRegisterByName(const char *RegName, LLT,
   MCRegister Reg = getRegister(RegName, *STI.getRegisterInfo());
   if (Reg && STI.getRegisterInfo()->getReservedRegs(MF).test(Reg.id()))
     return Reg;
-  report_fatal_error(Twine("register '") + RegName +
-                     "' is not reserved, so it cannot be a global variable");
+  reportFatalUsageError(Twine("register '") + RegName +
+                        "' is not reserved, so it cannot be a global variable");
 }

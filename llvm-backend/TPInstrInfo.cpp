@@ -1,5 +1,4 @@
-//===- TPInstrInfo.cpp - The TP's instructions in the code generator
-//-------===//
+//===- TPInstrInfo.cpp - Instructions for code generation -----------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPInstrInfo.h - The TP's instructions in the code generator -------===//
+//===- TPInstrInfo.h - Instructions for code generation ---------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPMCInstLower.cpp - From machine instructions to MC -------===//
+//===- TPMCInstLower.cpp - From machine instructions to MC ----------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

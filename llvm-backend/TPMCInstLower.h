@@ -1,4 +1,4 @@
-//===- TPMCInstLower.h - From machine instructions to MC -------===//
+//===- TPMCInstLower.h - From machine instructions to MC --------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

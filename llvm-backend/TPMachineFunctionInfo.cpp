@@ -1,5 +1,4 @@
-//===- TPMachineFunctionInfo.cpp - What the code generator knows of a function
-//-------===//
+//===- TPMachineFunctionInfo.cpp - Facts on a function --------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,5 +1,4 @@
-//===- TPMachineFunctionInfo.h - What the code generator knows of a function
-//-------===//
+//===- TPMachineFunctionInfo.h - Facts on a function ------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

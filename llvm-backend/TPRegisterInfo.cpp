@@ -1,5 +1,4 @@
-//===- TPRegisterInfo.cpp - The TP's registers in the code generator
-//-------===//
+//===- TPRegisterInfo.cpp - Registers for code generation -----------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPRegisterInfo.h - The TP's registers in the code generator -------===//
+//===- TPRegisterInfo.h - Registers for code generation ---------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

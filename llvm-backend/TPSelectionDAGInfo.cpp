@@ -1,4 +1,4 @@
-//===- TPSelectionDAGInfo.cpp - The TP's selection DAG nodes -------===//
+//===- TPSelectionDAGInfo.cpp - The TP's selection DAG nodes --------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

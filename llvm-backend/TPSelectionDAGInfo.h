@@ -1,4 +1,4 @@
-//===- TPSelectionDAGInfo.h - The TP's selection DAG nodes -------===//
+//===- TPSelectionDAGInfo.h - The TP's selection DAG nodes ------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

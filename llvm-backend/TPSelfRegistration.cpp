@@ -1,4 +1,4 @@
-//===- TPSelfRegistration.cpp - The TP in tools that load it -------===//
+//===- TPSelfRegistration.cpp - The TP in tools that load it --------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPSubtarget.cpp - One kind of TP -------===//
+//===- TPSubtarget.cpp - One kind of TP -----------------------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPSubtarget.h - One kind of TP -------===//
+//===- TPSubtarget.h - One kind of TP ---------------------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPTargetMachine.cpp - The TP as a target of LLVM -------===//
+//===- TPTargetMachine.cpp - The TP as a target of LLVM -------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -1,4 +1,4 @@
-//===- TPTargetMachine.h - The TP as a target of LLVM -------===//
+//===- TPTargetMachine.h - The TP as a target of LLVM -----------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

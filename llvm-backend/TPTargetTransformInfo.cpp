@@ -1,4 +1,4 @@
-//===- TPTargetTransformInfo.cpp - Costs for the optimizer -------===//
+//===- TPTargetTransformInfo.cpp - Costs for the optimizer ----------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

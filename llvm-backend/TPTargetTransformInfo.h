@@ -1,4 +1,4 @@
-//===- TPTargetTransformInfo.h - Costs for the optimizer -------===//
+//===- TPTargetTransformInfo.h - Costs for the optimizer --------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
