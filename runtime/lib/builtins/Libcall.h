@@ -78,6 +78,9 @@ int64_t TP_LIBCALL(__fixsfdi)(float A);
 uint64_t TP_LIBCALL(__fixunssfdi)(float A);
 float TP_LIBCALL(__floatdisf)(int64_t A);
 float TP_LIBCALL(__floatundisf)(uint64_t A);
+uint16_t TP_LIBCALL(__truncsfhf2)(float A);
+uint16_t TP_LIBCALL(__truncdfhf2)(double A);
+float TP_LIBCALL(__extendhfsf2)(uint16_t A);
 
 /// The square root's kernel of sqrt() in math.h.
 double TP_LIBCALL(__tp_sqrtdf)(double A);
