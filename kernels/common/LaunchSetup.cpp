@@ -36,8 +36,9 @@ Status checkRenderOptions(const RenderOptions &Options) {
 }
 
 Status parseImageSize(std::string_view Text, RenderOptions &Options) {
-  const char *const End = Text.data() + Text.size();
-  const auto Width = std::from_chars(Text.data(), End, Options.Width);
+  const char *const Begin = Text.data();
+  const char *const End = Begin + Text.size();
+  const auto Width = std::from_chars(Begin, End, Options.Width);
   const bool HasSecond =
       Width.ec == std::errc() && Width.ptr != End && *Width.ptr == 'x';
   if (HasSecond) {

@@ -145,6 +145,7 @@ std::vector<uint8_t> flattenScene(const Scene &Source) {
         makeTriangle(Shape, Source.Materials[Shape.Material].BaseColor));
   }
   std::vector<MaterialRecord> Materials;
+  Materials.reserve(Source.Materials.size());
   for (const Material &Surface : Source.Materials)
     Materials.push_back({Surface.Emission, 0});
   LightTable Lights = makeLightTable(Source);

@@ -22,8 +22,11 @@ static ErrorOr<std::vector<unsigned char>> readFile(const std::string &Path) {
     return Error{Path + ": " + std::strerror(errno)};
   std::vector<unsigned char> Bytes;
   unsigned char Chunk[1 << 16];
-  while (const size_t Count = std::fread(Chunk, 1, sizeof(Chunk), File.get()))
+  size_t Count;
+  do {
+    Count = std::fread(Chunk, 1, sizeof(Chunk), File.get());
     Bytes.insert(Bytes.end(), Chunk, Chunk + Count);
+  } while (Count == sizeof(Chunk));
   if (std::ferror(File.get()))
     return Error{Path + ": " + std::strerror(errno)};
   if (Bytes.empty())

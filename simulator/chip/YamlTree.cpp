@@ -18,7 +18,9 @@ namespace {
 /// Converts LLVM's streamed nodes to a tree and keeps the first error.
 class TreeBuilder {
 public:
-  TreeBuilder(StringRef Text, StringRef FileName) : FileName(FileName) {
+  TreeBuilder(StringRef Text, StringRef FileName)
+      : FileName(FileName), Stream(MemoryBufferRef(Text, FileName), Sources,
+                                   /*ShowColors=*/false) {
     Sources.setDiagHandler(
         [](const SMDiagnostic &Diagnostic, void *Context) {
           auto *Builder = static_cast<TreeBuilder *>(Context);
@@ -26,25 +28,22 @@ public:
                          Diagnostic.getMessage());
         },
         this);
-    Stream.emplace(MemoryBufferRef(Text, FileName), Sources,
-                   /*ShowColors=*/false);
   }
 
   Expected<YamlValue> build() {
     YamlValue Root;
-    yaml::document_iterator Document = Stream->begin();
-    yaml::Node *Node =
-        Document == Stream->end() ? nullptr : Document->getRoot();
+    yaml::document_iterator Document = Stream.begin();
+    yaml::Node *Node = Document == Stream.end() ? nullptr : Document->getRoot();
     if (Node && !isa<yaml::NullNode>(Node)) {
       Root = convert(Node);
       if (Root.Is != YamlValue::Kind::Mapping)
         error(Root.Line, "expected `key: value` lines");
-      if (Message.empty() && ++Document != Stream->end())
+      if (Message.empty() && ++Document != Stream.end())
         error(Root.Line, "the file holds more than one document");
     } else {
       error(1, "the file is empty; expected `key: value` lines");
     }
-    if (Stream->failed())
+    if (Stream.failed())
       error(1, "not a YAML file");
     if (!Message.empty())
       return createStringError(Message);
@@ -54,7 +53,7 @@ public:
 private:
   StringRef FileName;
   SourceMgr Sources;
-  std::optional<yaml::Stream> Stream;
+  yaml::Stream Stream;
   std::string Message;
 
   void error(unsigned Line, const Twine &What) {

@@ -16,19 +16,19 @@ struct Encoding {
   uint32_t Value;
 };
 
-uint32_t field(uint32_t Word, unsigned Shift, unsigned Width) {
+} // namespace
+
+static uint32_t field(uint32_t Word, unsigned Shift, unsigned Width) {
   return Word >> Shift & ((1u << Width) - 1);
 }
 
-int32_t signedField(uint32_t Word, unsigned Shift, unsigned Width) {
+static int32_t signedField(uint32_t Word, unsigned Shift, unsigned Width) {
   return int32_t(Word << (32 - Width - Shift)) >> (32 - Width);
 }
 
-uint8_t destination(uint32_t Register) {
+static uint8_t destination(uint32_t Register) {
   return Register == 0 ? NoRegister : Register;
 }
-
-} // namespace
 
 #include "simulator/isa/InstructionTables.inc"
 

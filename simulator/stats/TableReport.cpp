@@ -15,20 +15,22 @@
 using namespace llvm;
 
 namespace tp {
-namespace {
 
 /// 1234567 as `1,234,567`.
-std::string grouped(uint64_t Value) { return formatv("{0:N}", Value).str(); }
+static std::string grouped(uint64_t Value) {
+  return formatv("{0:N}", Value).str();
+}
 
 /// 0.1234 as `12.3 %`. Something that is not nothing never shows as `0.0 %`.
-std::string percent(double Share) {
+static std::string percent(double Share) {
   if (Share > 0 && Share < 0.0005)
     return "<0.1 %";
   return formatv("{0:F1} %", Share * 100).str();
 }
 
 /// A count by opcode and its share of all thread-cycles, largest first.
-std::string biggest(const std::vector<OpcodeCount> &Counts, double Whole) {
+static std::string biggest(const std::vector<OpcodeCount> &Counts,
+                           double Whole) {
   constexpr size_t Shown = 4;
   std::string Line;
   for (size_t I = 0; I != std::min(Counts.size(), Shown); ++I)
@@ -39,15 +41,16 @@ std::string biggest(const std::vector<OpcodeCount> &Counts, double Whole) {
 
 /// The counts of the opcodes for which \p Keep holds.
 template <typename Predicate>
-std::vector<OpcodeCount> only(std::vector<OpcodeCount> Counts, Predicate Keep) {
+static std::vector<OpcodeCount> only(std::vector<OpcodeCount> Counts,
+                                     Predicate Keep) {
   erase_if(Counts, [&](const OpcodeCount &C) { return !Keep(C.Op); });
   return Counts;
 }
 
 /// True for the opcodes whose results Loss::Memory waits for.
-bool isMemory(Opcode Op) { return unitOf(Op) == Unit::MEMORY; }
+static bool isMemory(Opcode Op) { return unitOf(Op) == Unit::MEMORY; }
 
-void writeHead(const RunSummary &Run, raw_ostream &OS) {
+static void writeHead(const RunSummary &Run, raw_ostream &OS) {
   const ChipConfig &Chip = Run.Chip;
   OS << formatv("{0}: {1} TMs x {2} TPs at {3} GHz, {4:F1} mm2\n", Chip.Name,
                 Chip.TmCount, Chip.TpsPerTm, format("%g", Chip.ClockGHz),
@@ -67,7 +70,7 @@ void writeHead(const RunSummary &Run, raw_ostream &OS) {
   OS << '\n';
 }
 
-void writeLosses(const RunSummary &Run, raw_ostream &OS) {
+static void writeLosses(const RunSummary &Run, raw_ostream &OS) {
   const Statistics &Stats = Run.Stats;
   double Whole = std::max<uint64_t>(Run.threadCycles(), 1);
   auto Row = [&](const char *Name, uint64_t Cycles, StringRef Details) {
@@ -94,7 +97,7 @@ void writeLosses(const RunSummary &Run, raw_ostream &OS) {
   OS << '\n';
 }
 
-void writeParts(const RunSummary &Run, raw_ostream &OS) {
+static void writeParts(const RunSummary &Run, raw_ostream &OS) {
   const ChipConfig &Chip = Run.Chip;
   std::vector<AreaPart> Area = chipArea(Chip);
   auto Row = [&](StringRef Name, const Twine &PerTm, const Twine &Operations,
@@ -115,8 +118,6 @@ void writeParts(const RunSummary &Run, raw_ostream &OS) {
   }
   Row("total", "", "", "", totalAreaMm2(Chip));
 }
-
-} // namespace
 
 void writeTable(const RunSummary &Run, const HostSpeed &Speed,
                 raw_ostream &OS) {

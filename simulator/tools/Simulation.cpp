@@ -46,10 +46,12 @@ static Program decodeText(const ElfProgram &Elf) {
 /// Fails now and not after hours if \p Path cannot be written.
 static llvm::Error checkWritable(const std::string &Path) {
   int File;
-  if (std::error_code EC = sys::fs::openFileForWrite(
-          Path, File, sys::fs::CD_OpenAlways, sys::fs::OF_Append))
+  std::error_code EC = sys::fs::openFileForWrite(
+      Path, File, sys::fs::CD_OpenAlways, sys::fs::OF_Append);
+  if (!EC)
+    EC = sys::Process::SafelyCloseFileDescriptor(File);
+  if (EC)
     return createStringError("cannot write " + Path + ": " + EC.message());
-  sys::Process::SafelyCloseFileDescriptor(File);
   return llvm::Error::success();
 }
 
@@ -135,13 +137,12 @@ static OutputFunction passOn(ProgressLine &Line) {
 static void explainEnd(const RunResult &Result, const Options &Request,
                        const ChipConfig &Chip, const ElfProgram &Elf,
                        const Engine &Machine) {
-  if (Result.End == RunResult::Trapped) {
+  if (const std::optional<Trap> &Cause = Result.TrapInfo) {
     Symbolizer Symbols(Elf);
     WithColor::error(errs(), "tpsim")
-        << trapMessage(*Result.TrapInfo, Chip, Elf, Symbols,
+        << trapMessage(*Cause, Chip, Elf, Symbols,
                        [&](unsigned Register) {
-                         return Machine.registerOf(Result.TrapInfo->Thread,
-                                                   Register);
+                         return Machine.registerOf(Cause->Thread, Register);
                        })
         << '\n';
   } else if (Result.End == RunResult::CycleLimit) {

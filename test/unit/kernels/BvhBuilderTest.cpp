@@ -198,7 +198,8 @@ TEST(BvhBuilder, PointsLinesAndPlanesAreValid) {
   std::vector<BoundingBox> Points, Line, Plane;
   for (int I = 0; I != 300; ++I) {
     const Vector3 OnLine = {float(I), 0, 0};
-    const Vector3 OnPlane = {float(I % 17), 5, float(I / 17)};
+    const int Column = I % 17, Row = I / 17;
+    const Vector3 OnPlane = {float(Column), 5, float(Row)};
     Points.push_back({{7, 7, 7}, {7, 7, 7}});
     Line.push_back({OnLine, OnLine});
     Plane.push_back({OnPlane, OnPlane + Vector3{1, 0, 1}});

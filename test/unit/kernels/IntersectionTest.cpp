@@ -39,11 +39,11 @@ public:
     auto *Indices = static_cast<uint32_t *>(
         rtcSetNewGeometryBuffer(Geometry, RTC_BUFFER_TYPE_INDEX, 0,
                                 RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), Count));
-    for (uint32_t Corner = 0; Corner != 3 * Count; ++Corner) {
+    for (size_t Corner = 0; Corner != 3 * Count; ++Corner) {
       std::memcpy(Vertices + 3 * Corner,
                   &Source.Triangles[Corner / 3].Vertices[Corner % 3],
                   sizeof(Vector3));
-      Indices[Corner] = Corner;
+      Indices[Corner] = uint32_t(Corner);
     }
     rtcCommitGeometry(Geometry);
     rtcAttachGeometry(World, Geometry);

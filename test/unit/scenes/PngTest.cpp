@@ -43,9 +43,11 @@ TEST(Png, FirstPixelIsTopLeftAndRedIsTheLowestByte) {
   ASSERT_TRUE(writePng(Path, Written));
   // A PNG's rows run from the top; the colour type 6 is RGBA.
   FILE *File = std::fopen(Path.c_str(), "rb");
+  ASSERT_NE(File, nullptr);
   unsigned char Bytes[26];
-  ASSERT_EQ(std::fread(Bytes, 1, sizeof(Bytes), File), sizeof(Bytes));
+  const size_t Count = std::fread(Bytes, 1, sizeof(Bytes), File);
   std::fclose(File);
+  ASSERT_EQ(Count, sizeof(Bytes));
   EXPECT_EQ(Bytes[25], 6);
   const ErrorOr<Image> Read = readPng(Path);
   ASSERT_TRUE(Read);

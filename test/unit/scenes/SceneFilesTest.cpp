@@ -14,8 +14,6 @@
 
 using namespace tp;
 
-static const std::string ScenesFolder = TP_SCENES_FOLDER;
-
 static float areaOf(const Triangle &Shape) {
   const Vector3 Normal = cross(Shape.Vertices[1] - Shape.Vertices[0],
                                Shape.Vertices[2] - Shape.Vertices[0]);
@@ -29,7 +27,8 @@ static void expectNear(Vector3 Actual, Vector3 Expected, float Tolerance) {
 }
 
 TEST(CornellBox, HasTheMeasuredCameraAndLight) {
-  const ErrorOr<Scene> Box = loadScene(ScenesFolder + "/cornell/cornell.gltf");
+  const ErrorOr<Scene> Box =
+      loadScene(TP_SCENES_FOLDER "/cornell/cornell.gltf");
   ASSERT_TRUE(Box) << Box.message();
   EXPECT_TRUE(Box->Warnings.empty());
   // Floor, back, two walls and light of 2 triangles, ceiling 8, blocks 10 each.
@@ -61,7 +60,8 @@ TEST(CornellBox, HasTheMeasuredCameraAndLight) {
 }
 
 TEST(CornellBox, CeilingAndLightFillTheMeasuredCeiling) {
-  const ErrorOr<Scene> Box = loadScene(ScenesFolder + "/cornell/cornell.gltf");
+  const ErrorOr<Scene> Box =
+      loadScene(TP_SCENES_FOLDER "/cornell/cornell.gltf");
   ASSERT_TRUE(Box) << Box.message();
   float Area = 0;
   for (const Triangle &Shape : Box->Triangles)
@@ -77,7 +77,7 @@ TEST(CornellBox, CeilingAndLightFillTheMeasuredCeiling) {
 
 TEST(Instances, PlacesEveryInstance) {
   const ErrorOr<Scene> Loaded =
-      loadScene(ScenesFolder + "/instances/instances.glb");
+      loadScene(TP_SCENES_FOLDER "/instances/instances.glb");
   ASSERT_TRUE(Loaded) << Loaded.message();
   EXPECT_TRUE(Loaded->Warnings.empty());
   // Fan 2, strip 2, three pyramids of 4, one bare triangle.
@@ -102,7 +102,7 @@ TEST(Instances, PlacesEveryInstance) {
 
 TEST(Instances, MirroringKeepsFrontsOutside) {
   const ErrorOr<Scene> Loaded =
-      loadScene(ScenesFolder + "/instances/instances.glb");
+      loadScene(TP_SCENES_FOLDER "/instances/instances.glb");
   ASSERT_TRUE(Loaded) << Loaded.message();
   unsigned Sides = 0;
   for (const Triangle &Shape : Loaded->Triangles) {
@@ -118,7 +118,7 @@ TEST(Instances, MirroringKeepsFrontsOutside) {
 
 TEST(Instances, CameraFollowsItsParents) {
   const ErrorOr<Scene> Loaded =
-      loadScene(ScenesFolder + "/instances/instances.glb");
+      loadScene(TP_SCENES_FOLDER "/instances/instances.glb");
   ASSERT_TRUE(Loaded) << Loaded.message();
   const float C = std::cos(M_PI / 9), S = std::sin(M_PI / 9);
   expectNear(Loaded->Camera.Position, {0, 1 + 12 * S, 12 * C}, 1e-5f);
@@ -129,7 +129,7 @@ TEST(Instances, CameraFollowsItsParents) {
 
 /// Every prefix of a GLB must be refused, not crash.
 TEST(Instances, TruncatedBinaryIsAnErrorAtEveryLength) {
-  std::ifstream File(ScenesFolder + "/instances/instances.glb",
+  std::ifstream File(TP_SCENES_FOLDER "/instances/instances.glb",
                      std::ios::binary);
   const std::string Whole{std::istreambuf_iterator<char>(File), {}};
   ASSERT_GT(Whole.size(), 1000u);
