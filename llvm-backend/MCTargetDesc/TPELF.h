@@ -18,7 +18,7 @@ inline constexpr uint16_t EM_TP = 0x5450;
 
 /// Types of relocations; see TPRelocations.def for what each one writes.
 enum Relocation : uint32_t {
-#define TP_RELOC(Name, Value) Name = Value,
+#define TP_RELOC(Name, Value) Name = (Value),
 #include "llvm-backend/MCTargetDesc/TPRelocations.def"
 };
 

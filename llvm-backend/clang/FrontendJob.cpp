@@ -129,11 +129,10 @@ std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
     return nullptr;
   setBackendOptions(Instance->getFrontendOpts().LLVMArgs);
   // Textual IR cannot be read without its names.
-  bool IsIr = any_of(Instance->getFrontendOpts().Inputs,
-                     [](const FrontendInputFile &Input) {
-                       return Input.getKind().getLanguage() ==
-                              Language::LLVM_IR;
-                     });
+  bool IsIr = any_of(
+      Instance->getFrontendOpts().Inputs, [](const FrontendInputFile &Input) {
+        return Input.getKind().getLanguage() == Language::LLVM_IR;
+      });
   Context.setDiscardValueNames(Instance->getCodeGenOpts().DiscardValueNames &&
                                !IsIr);
   EmitLLVMOnlyAction Action(&Context);
