@@ -23,6 +23,7 @@ backend = os.path.join(config.tp_build_dir, "lib", "libLLVMTP.so")
 config.substitutions += [
     ("%llc_tp", f"llc -load {backend} -mtriple=tp-unknown-elf"),
     ("%tp_backend", backend),
+    ("%tp_bin", bin_dir),
     ("%tp_instructions",
      os.path.join(config.tp_build_dir, "llvm-backend", "TPInstrs.json")),
     ("%source_dir", config.tp_source_dir),
