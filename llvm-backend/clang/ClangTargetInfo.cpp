@@ -23,10 +23,13 @@ static constexpr const char GenericCpu[] = "generic";
 // Builtins
 //===----------------------------------------------------------------------===//
 
-#define TP_BUILTIN(Name, Type, Attributes, Effect) +1
-static constexpr int NumBuiltins = 0
+namespace {
+enum BuiltinNumber {
+#define TP_BUILTIN(Name, Type, Attributes, Effect) Builtin_##Name,
 #include "llvm-backend/TPBuiltins.def"
-    ;
+  NumBuiltins
+};
+} // namespace
 
 #define TP_BUILTIN(Name, Type, Attributes, Effect)                             \
   CLANG_BUILTIN_STR_TABLE(__builtin_tp_##Name, Type, Attributes)
@@ -175,6 +178,7 @@ namespace {
 // TargetInfo::CreateTargetInfo, which knows the targets in clang's tree only.
 // The names in an explicit instantiation are not access-checked, so a friend
 // that one defines can hand the member out.
+// NOLINTNEXTLINE(llvm-prefer-static-over-anonymous-namespace): it is a friend.
 clang::TargetOptions *&targetOptionsOf(clang::TargetInfo &Target);
 
 template <clang::TargetOptions *clang::TargetInfo::*Member>

@@ -127,9 +127,10 @@ bool JobRunner::runAll(bool Verbose) {
 // Replaces tpcc's own options by clang's.
 static void translateOwnOptions(SmallVectorImpl<const char *> &Arguments) {
   SmallVector<const char *, 64> Translated;
-  for (StringRef Argument : Arguments) {
+  for (const char *Given : Arguments) {
+    StringRef Argument = Given;
     if (Argument != "-mtrig" && Argument != "-mno-trig") {
-      Translated.push_back(Argument.data());
+      Translated.push_back(Given);
       continue;
     }
     for (const char *Part : {"-Xclang", "-target-feature", "-Xclang"})

@@ -56,7 +56,7 @@ void compileForWholeProgram(ArgStringList &JobArguments) {
 
 // Whether `-x` names C++, a C++ header or preprocessed C++.
 static bool compilesCxx(const ArgStringList &JobArguments) {
-  auto Language = find(JobArguments, StringRef("-x"));
+  const auto *Language = find(JobArguments, StringRef("-x"));
   if (Language == JobArguments.end() ||
       std::next(Language) == JobArguments.end())
     return false;

@@ -75,7 +75,10 @@ static bool writeExecutable(ArrayRef<uint8_t> Contents, StringRef Path,
   File.keep();
   if (auto Permissions = sys::fs::getPermissions(Path);
       Permissions && sys::fs::is_regular_file(Path))
-    sys::fs::setPermissions(Path, *Permissions | sys::fs::all_exe);
+    if (std::error_code Refusal =
+            sys::fs::setPermissions(Path, *Permissions | sys::fs::all_exe))
+      Diags.warning("cannot make '" + Path +
+                    "' executable: " + Refusal.message());
   return true;
 }
 

@@ -30,7 +30,7 @@ bool parseHexBytes(StringRef Text, const SourceMgr &Sources, HexBytes &Bytes) {
     Digits.consume_front_insensitive("0x");
     uint8_t Value;
     if (Digits.size() > 2 || Digits.getAsInteger(16, Value)) {
-      Sources.PrintMessage(SMLoc::getFromPointer(Token.data()),
+      Sources.PrintMessage(SMLoc::getFromPointer(Token.begin()),
                            SourceMgr::DK_Error,
                            "'" + Token + "' is not a byte in hexadecimal");
       Good = false;
