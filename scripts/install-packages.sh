@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# Installs the Debian packages that the build and the tests need and that are
-# missing. Prints what it installs; says nothing else.
+# Installs the Debian packages that the build and the tests need, and the given
+# ones, as far as they are missing. Prints what it installs; says nothing else:
+# scripts/install-packages.sh [PACKAGE...]
 set -euo pipefail
 
 packages=(
@@ -11,6 +12,7 @@ packages=(
   llvm-22 libtinygltf-dev libpng-dev python3
   # Tests
   llvm-22-tools libgtest-dev libembree-dev csmith libcsmith-dev
+  "$@"
 )
 
 missing=()
