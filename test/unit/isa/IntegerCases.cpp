@@ -12,39 +12,38 @@
 
 namespace tp::test {
 
-namespace {
-
 using Wide = __int128;
 
-Wide sign(uint32_t Bits) {
+static Wide sign(uint32_t Bits) {
   return Bits & 0x80000000 ? Wide(Bits) - (Wide(1) << 32) : Wide(Bits);
 }
 
-bool bit(uint32_t Bits, int64_t Index) { return Bits >> Index & 1; }
+static bool bit(uint32_t Bits, int64_t Index) { return Bits >> Index & 1; }
 
 /// A word from a function of the bit's number.
-template <class Function> uint32_t eachBit(Function F) {
+template <class Function> static uint32_t eachBit(Function F) {
   uint32_t Result = 0;
   for (int I = 31; I >= 0; --I)
     Result = Result * 2 + (F(I) ? 1 : 0);
   return Result;
 }
 
-uint32_t shiftLeft(uint32_t Value, int64_t Amount) {
+static uint32_t shiftLeft(uint32_t Value, int64_t Amount) {
   return eachBit([=](int I) { return I >= Amount && bit(Value, I - Amount); });
 }
 
-uint32_t shiftRight(uint32_t Value, int64_t Amount, bool Fill) {
+static uint32_t shiftRight(uint32_t Value, int64_t Amount, bool Fill) {
   return eachBit(
       [=](int I) { return I + Amount <= 31 ? bit(Value, I + Amount) : Fill; });
 }
 
-uint32_t rotateRight(uint32_t Value, int64_t Amount) {
+static uint32_t rotateRight(uint32_t Value, int64_t Amount) {
   return eachBit([=](int I) { return bit(Value, (I + Amount) % 32); });
 }
 
 /// Division towards zero by repeated subtraction of shifted divisors.
-std::pair<uint32_t, uint32_t> divide(uint32_t Numerator, uint32_t Divisor) {
+static std::pair<uint32_t, uint32_t> divide(uint32_t Numerator,
+                                            uint32_t Divisor) {
   uint32_t Quotient = 0;
   uint64_t Remainder = 0;
   for (int I = 31; I >= 0; --I) {
@@ -56,15 +55,13 @@ std::pair<uint32_t, uint32_t> divide(uint32_t Numerator, uint32_t Divisor) {
   return {Quotient, uint32_t(Remainder)};
 }
 
-uint32_t magnitude(uint32_t Bits) {
+static uint32_t magnitude(uint32_t Bits) {
   return uint32_t(sign(Bits) < 0 ? -sign(Bits) : sign(Bits));
 }
 
-uint32_t negateIf(bool Negative, uint32_t Value) {
+static uint32_t negateIf(bool Negative, uint32_t Value) {
   return Negative ? uint32_t(-Wide(Value)) : Value;
 }
-
-} // namespace
 
 void addIntegerCases(InstructionCases &Cases) {
   auto Value = [&](const char *Mnemonic, auto Function) {

@@ -17,9 +17,7 @@ double TP_LIBCALL(strtod)(const char *Text, char **End);
 float TP_LIBCALL(strtof)(const char *Text, char **End);
 }
 
-namespace {
-
-void check(const std::string &Text) {
+static void check(const std::string &Text) {
   char *OurEnd, *HostEnd;
   double Ours = tpSoft_strtod(Text.c_str(), &OurEnd);
   double Host = strtod(Text.c_str(), &HostEnd);
@@ -37,7 +35,7 @@ void check(const std::string &Text) {
         << Text << std::hexfloat << " " << OurFloat;
 }
 
-std::string print(const char *Format, double Value) {
+static std::string print(const char *Format, double Value) {
   char Buffer[2048];
   snprintf(Buffer, sizeof(Buffer), Format, Value);
   return Buffer;
@@ -132,5 +130,3 @@ TEST(FloatText, RoundTripsAndMidpoints) {
     for (const char *Format : {"%.17g", "%.9g", "%.1100f", "%a"})
       check(print(Format, Value));
 }
-
-} // namespace

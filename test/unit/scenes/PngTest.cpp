@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace tp;
@@ -42,12 +43,9 @@ TEST(Png, FirstPixelIsTopLeftAndRedIsTheLowestByte) {
   const std::string Path = temporaryPath("order.png");
   ASSERT_TRUE(writePng(Path, Written));
   // A PNG's rows run from the top; the colour type 6 is RGBA.
-  FILE *File = std::fopen(Path.c_str(), "rb");
-  ASSERT_NE(File, nullptr);
-  unsigned char Bytes[26];
-  const size_t Count = std::fread(Bytes, 1, sizeof(Bytes), File);
-  std::fclose(File);
-  ASSERT_EQ(Count, sizeof(Bytes));
+  std::ifstream File(Path, std::ios::binary);
+  char Bytes[26];
+  ASSERT_TRUE(File.read(Bytes, sizeof(Bytes)));
   EXPECT_EQ(Bytes[25], 6);
   const ErrorOr<Image> Read = readPng(Path);
   ASSERT_TRUE(Read);

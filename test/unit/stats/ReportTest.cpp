@@ -15,16 +15,14 @@
 using namespace tp;
 using testing::HasSubstr;
 
-namespace {
-
-std::string json(const RunSummary &Run) {
+static std::string json(const RunSummary &Run) {
   std::string Text;
   llvm::raw_string_ostream OS(Text);
   writeJson(Run, OS);
   return Text;
 }
 
-std::string table(const RunSummary &Run, HostSpeed Speed = {2, 1}) {
+static std::string table(const RunSummary &Run, HostSpeed Speed = {2, 1}) {
   std::string Text;
   llvm::raw_string_ostream OS(Text);
   writeTable(Run, Speed, OS);
@@ -95,5 +93,3 @@ TEST(TableReport, FitsOneScreen) {
   }
   EXPECT_LE(Lines, 42u);
 }
-
-} // namespace

@@ -25,7 +25,7 @@ struct SmallRun {
     Chip.IcacheBanks = 1;
     Chip.IcachePorts = 1;
     Chip.Units[unsigned(Unit::MEMORY)].Interval = 2;
-    Opcode Add = *findOpcode("add"), Load = *findOpcode("lw");
+    constexpr Opcode Add = Opcode::ADD, Load = Opcode::LW;
     Stats.Cycles = 100;
     Stats.Executed[unsigned(Add)] = 100;
     Stats.Executed[unsigned(Load)] = 10;
