@@ -60,7 +60,7 @@ protected:
     ASSERT_FALSE(
         llvm::sys::fs::createTemporaryFile("elf-program", "elf", Path));
   }
-  void TearDown() override { llvm::sys::fs::remove(Path); }
+  void TearDown() override { EXPECT_FALSE(llvm::sys::fs::remove(Path)); }
 
   llvm::Expected<ElfProgram> load(size_t Bytes = sizeof(TestElf)) {
     std::error_code EC;

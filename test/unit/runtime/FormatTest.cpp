@@ -22,7 +22,9 @@ struct StringSink : tp::TextSink {
   }
 };
 
-std::string ours(const char *Format, ...) {
+} // namespace
+
+static std::string ours(const char *Format, ...) {
   va_list Arguments;
   va_start(Arguments, Format);
   StringSink Sink;
@@ -32,7 +34,7 @@ std::string ours(const char *Format, ...) {
   return Sink.Text;
 }
 
-std::string host(const char *Format, ...) {
+static std::string host(const char *Format, ...) {
   char Buffer[4096];
   va_list Arguments;
   va_start(Arguments, Format);
@@ -41,7 +43,8 @@ std::string host(const char *Format, ...) {
   return Buffer;
 }
 
-template <typename... T> void check(const std::string &Format, T... Values) {
+template <typename... T>
+static void check(const std::string &Format, T... Values) {
   ASSERT_EQ(ours(Format.c_str(), Values...), host(Format.c_str(), Values...))
       << Format;
 }
@@ -133,5 +136,3 @@ TEST(Format, RandomDoubles) {
     check("%.10f %f %.3g %.2e", Near, Near, Near, Near);
   }
 }
-
-} // namespace

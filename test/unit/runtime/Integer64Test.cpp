@@ -8,11 +8,9 @@
 #include "test/unit/runtime/EdgeValues.h"
 #include "gtest/gtest.h"
 
-namespace {
-
 constexpr int RandomPairs = 2'000'000;
 
-void checkPair(uint64_t A, uint64_t B) {
+static void checkPair(uint64_t A, uint64_t B) {
   int64_t SA = static_cast<int64_t>(A), SB = static_cast<int64_t>(B);
   ASSERT_EQ(static_cast<uint64_t>(tpSoft___muldi3(SA, SB)), A * B);
   int64_t Product;
@@ -41,7 +39,7 @@ void checkPair(uint64_t A, uint64_t B) {
   ASSERT_EQ(SignedRemainder, SA % SB);
 }
 
-void checkOne(uint64_t A) {
+static void checkOne(uint64_t A) {
   int64_t S = static_cast<int64_t>(A);
   uint32_t Low = static_cast<uint32_t>(A);
   for (int Shift = 0; Shift != 64; ++Shift) {
@@ -84,5 +82,3 @@ TEST(Integer64, RandomPairs) {
   for (int I = 0; I != RandomPairs && !HasFatalFailure(); ++I)
     checkPair(Random.integer(), Random.integer());
 }
-
-} // namespace

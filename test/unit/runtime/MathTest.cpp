@@ -20,16 +20,14 @@
 #include <random>
 #include <vector>
 
-namespace {
-
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float Smallest = std::numeric_limits<float>::denorm_min();
 
-float fromBits(uint32_t Bits) { return std::bit_cast<float>(Bits); }
+static float fromBits(uint32_t Bits) { return std::bit_cast<float>(Bits); }
 
 /// Distance of \p Value from \p Exact in units of a float's last place there.
-double ulpError(float Value, double Exact) {
+static double ulpError(float Value, double Exact) {
   if (std::isnan(Exact) || std::isnan(Value))
     return std::isnan(Exact) == std::isnan(Value) ? 0 : Infinity;
   float Nearest = static_cast<float>(Exact);
@@ -51,6 +49,8 @@ double ulpError(float Value, double Exact) {
          std::ldexp(1.0, 23 - Exponent);
 }
 
+namespace {
+
 struct Worst {
   double Error = 0;
   float X = 0;
@@ -71,12 +71,17 @@ struct Worst {
   }
 };
 
+} // namespace
+
 /// Walks over the floats; \p Normal and \p Subnormal are the greatest errors
 /// allowed for results of either kind.
-void sweep(const char *Name, float (*Ours)(float), double (*Reference)(double),
-           double Normal, double Subnormal = 0.5) {
+static void sweep(const char *Name, float (*Ours)(float),
+                  double (*Reference)(double), double Normal,
+                  double Subnormal = 0.5) {
   const char *Setting = getenv("TP_MATH_STRIDE");
-  uint32_t Stride = Setting ? static_cast<uint32_t>(atoi(Setting)) : 251;
+  uint32_t Stride =
+      Setting ? static_cast<uint32_t>(strtoul(Setting, nullptr, 10)) : 251;
+  ASSERT_NE(Stride, 0u) << "TP_MATH_STRIDE is not a positive number";
   Worst Normals, Subnormals;
   for (uint64_t Bits = 0; Bits < uint64_t(1) << 32; Bits += Stride) {
     float X = fromBits(static_cast<uint32_t>(Bits));
@@ -88,9 +93,9 @@ void sweep(const char *Name, float (*Ours)(float), double (*Reference)(double),
 }
 
 /// The same over random pairs of every magnitude and over pairs near \p Near.
-void sweepPairs(const char *Name, float (*Ours)(float, float),
-                double (*Reference)(double, double), double Normal,
-                double Subnormal) {
+static void sweepPairs(const char *Name, float (*Ours)(float, float),
+                       double (*Reference)(double, double), double Normal,
+                       double Subnormal) {
   std::mt19937 Random(20260101);
   Worst Normals, Subnormals;
   for (int I = 0; I != 20'000'000; ++I) {
@@ -110,12 +115,12 @@ void sweepPairs(const char *Name, float (*Ours)(float, float),
   Normals.expectAtMost(Name, Normal, Subnormals, Subnormal);
 }
 
-bool sameBits(float A, float B) {
+static bool sameBits(float A, float B) {
   return (std::isnan(A) && std::isnan(B)) ||
          std::bit_cast<uint32_t>(A) == std::bit_cast<uint32_t>(B);
 }
 
-std::vector<float> edges() {
+static std::vector<float> edges() {
   std::vector<float> Values = {0.0f,          Smallest,
                                0x1p-149f,     0x1.fffffcp-127f,
                                0x1p-126f,     0x1p-60f,
@@ -289,5 +294,3 @@ TEST(Math, MinimaAndMaxima) {
   EXPECT_EQ(tp::clamp(7.0f, -1.0f, 2.0f), 2.0f);
   EXPECT_EQ(tp::saturate(NaN), 0.0f);
 }
-
-} // namespace

@@ -10,20 +10,18 @@
 #include <cmath>
 #include <limits>
 
-namespace {
-
 constexpr int RandomPairs = 2'000'000;
 
-uint64_t bitsOf(double Value) {
+static uint64_t bitsOf(double Value) {
   return std::isnan(Value) ? 0x7FF8000000000000
                            : std::bit_cast<uint64_t>(Value);
 }
 
-uint32_t bitsOf(float Value) {
+static uint32_t bitsOf(float Value) {
   return std::isnan(Value) ? 0x7FC00000 : std::bit_cast<uint32_t>(Value);
 }
 
-int signOf(int Value) { return (Value > 0) - (Value < 0); }
+static int signOf(int Value) { return (Value > 0) - (Value < 0); }
 
 /// Ours must be these very bits: NaN is canonical.
 #define EXPECT_SAME(Ours, Host, ...)                                           \
@@ -33,7 +31,7 @@ int signOf(int Value) { return (Value > 0) - (Value < 0); }
              << " for " << __VA_ARGS__;                                        \
   } while (false)
 
-void checkPair(double A, double B) {
+static void checkPair(double A, double B) {
   EXPECT_SAME(tpSoft___adddf3(A, B), A + B, A << " + " << B);
   EXPECT_SAME(tpSoft___subdf3(A, B), A - B, A << " - " << B);
   EXPECT_SAME(tpSoft___muldf3(A, B), A * B, A << " * " << B);
@@ -51,12 +49,12 @@ void checkPair(double A, double B) {
     FAIL() << std::hexfloat << "compare " << A << " with " << B;
 }
 
-void checkTriple(double A, double B, double C) {
+static void checkTriple(double A, double B, double C) {
   EXPECT_SAME(tpSoft___tp_fmadf(A, B, C), std::fma(A, B, C),
               A << " * " << B << " + " << C);
 }
 
-template <typename Integer> Integer saturate(double Value) {
+template <typename Integer> static Integer saturate(double Value) {
   using Limits = std::numeric_limits<Integer>;
   if (std::isnan(Value))
     return 0;
@@ -67,7 +65,7 @@ template <typename Integer> Integer saturate(double Value) {
   return static_cast<Integer>(Value);
 }
 
-void checkOne(double A) {
+static void checkOne(double A) {
   EXPECT_SAME(tpSoft___tp_sqrtdf(A), std::sqrt(A), "sqrt " << A);
   float F = static_cast<float>(A);
   EXPECT_SAME(tpSoft___truncdfsf2(A), F, "float " << A);
@@ -82,7 +80,7 @@ void checkOne(double A) {
   ASSERT_EQ(tpSoft___fixunssfdi(F), saturate<uint64_t>(F)) << F;
 }
 
-void checkInteger(uint64_t A) {
+static void checkInteger(uint64_t A) {
   int64_t S = static_cast<int64_t>(A);
   int32_t S32 = static_cast<int32_t>(A);
   uint32_t U32 = static_cast<uint32_t>(A);
@@ -152,5 +150,3 @@ TEST(SoftDouble, FromIntegers) {
   for (int I = 0; I != RandomPairs && !HasFatalFailure(); ++I)
     checkInteger(Random.integer());
 }
-
-} // namespace
