@@ -14,8 +14,6 @@
 using namespace tp;
 using testing::HasSubstr;
 
-namespace {
-
 TEST(RunSummary, DerivesRates) {
   SmallRun Small;
   RunSummary Run = Small.summary();
@@ -87,7 +85,7 @@ TEST(LargestFirst, SortsAndDropsZeros) {
   EXPECT_EQ(Sorted[1].Count, 10u);
 }
 
-std::string sumError(const SmallRun &Small) {
+static std::string sumError(const SmallRun &Small) {
   return llvm::toString(checkSums(Small.Chip, Small.Stats));
 }
 
@@ -115,5 +113,3 @@ TEST(CheckSums, SeesEveryKindOfError) {
   ++WrongConflict.Stats.UnitConflict[0];
   EXPECT_THAT(sumError(WrongConflict), HasSubstr("unit conflicts by opcode"));
 }
-
-} // namespace
