@@ -178,11 +178,11 @@ namespace {
 // TargetInfo::CreateTargetInfo, which knows the targets in clang's tree only.
 // The names in an explicit instantiation are not access-checked, so a friend
 // that one defines can hand the member out.
-// NOLINTNEXTLINE(llvm-prefer-static-over-anonymous-namespace): it is a friend.
 clang::TargetOptions *&targetOptionsOf(clang::TargetInfo &Target);
 
 template <clang::TargetOptions *clang::TargetInfo::*Member>
 struct TargetOptionsAccess {
+  // NOLINTNEXTLINE(llvm-prefer-static-over-anonymous-namespace): a friend.
   friend clang::TargetOptions *&targetOptionsOf(clang::TargetInfo &Target) {
     return Target.*Member;
   }
