@@ -12,19 +12,17 @@
 
 namespace tp::test {
 
-namespace {
-
 using Condition = std::function<bool(int64_t, int64_t)>;
 
-int64_t sign(uint32_t Bits) {
+static int64_t sign(uint32_t Bits) {
   return Bits & 0x80000000 ? int64_t(Bits) - (int64_t(1) << 32) : Bits;
 }
 
-int64_t zeroExtended(uint32_t Bits) { return Bits; }
+static int64_t zeroExtended(uint32_t Bits) { return Bits; }
 
 /// Stores 1 where the branch is taken, 0 where not, forwards and backwards.
-void checkBranch(const char *Mnemonic, int64_t (*Extend)(uint32_t),
-                 const Condition &Holds) {
+static void checkBranch(const char *Mnemonic, int64_t (*Extend)(uint32_t),
+                        const Condition &Holds) {
   Assembly A;
   A.constant(20, DataBegin);
   unsigned Number = 0;
@@ -51,7 +49,7 @@ void checkBranch(const char *Mnemonic, int64_t (*Extend)(uint32_t),
     }
 }
 
-void checkBranchLink(const char *Mnemonic, bool WhenNegative) {
+static void checkBranchLink(const char *Mnemonic, bool WhenNegative) {
   for (uint32_t Value : IntegerEdges) {
     Assembly A;
     A.constant(11, Value)("addi", 31, 0, 77);
@@ -66,8 +64,8 @@ void checkBranchLink(const char *Mnemonic, bool WhenNegative) {
   }
 }
 
-void checkTrap(const char *Mnemonic, int64_t (*Extend)(uint32_t),
-               const Condition &Holds) {
+static void checkTrap(const char *Mnemonic, int64_t (*Extend)(uint32_t),
+                      const Condition &Holds) {
   for (uint32_t Left : IntegerEdges)
     for (uint32_t Right : IntegerEdges) {
       Assembly A;
@@ -84,7 +82,7 @@ void checkTrap(const char *Mnemonic, int64_t (*Extend)(uint32_t),
 
 /// A jump over `halt 9`; \p Links if it sets r31, \p Indirect if its target is
 /// in a register.
-void checkJump(const char *Mnemonic, bool Links, bool Indirect) {
+static void checkJump(const char *Mnemonic, bool Links, bool Indirect) {
   Assembly A;
   A("addi", 31, 0, 77)("addi", 9, 0, 9);
   if (Indirect)
@@ -99,7 +97,7 @@ void checkJump(const char *Mnemonic, bool Links, bool Indirect) {
   EXPECT_EQ(S.registerOf(0, 31), Links ? Return : 77u);
 }
 
-void checkSpecialRegisters() {
+static void checkSpecialRegisters() {
   ChipConfig Chip = quietChip(3, 4);
   for (unsigned Number = 0; Number != 32; ++Number) {
     Assembly A;
@@ -124,7 +122,7 @@ void checkSpecialRegisters() {
   }
 }
 
-void checkBarrier() {
+static void checkBarrier() {
   // What each stores before the barrier all see after it.
   Assembly A;
   A("mfsr", 4, int(SpecialRegister::thread))("sll", 5, 4, 2)(
@@ -138,7 +136,7 @@ void checkBarrier() {
     EXPECT_EQ(S.registerOf(Thread, 9), 10u);
 }
 
-void checkSync() {
+static void checkSync() {
   Assembly A;
   A("addi", 4, 0, 1)("sync")("addi", 4, 4, 1)("halt", 0);
   Simulation S(quietChip(1, 1), A);
@@ -147,7 +145,7 @@ void checkSync() {
   EXPECT_EQ(S.lost(0, Loss::Sync), 14u);
 }
 
-void checkSleep() {
+static void checkSleep() {
   for (uint32_t Cycles : {0u, 1u, 13u, 14u, 1000u}) {
     Assembly A;
     A("addi", 4, 0, Cycles)("sleep", 4)("halt", 0);
@@ -156,7 +154,7 @@ void checkSleep() {
   }
 }
 
-void checkHalt() {
+static void checkHalt() {
   for (int Status : {0, 1, -1, 255}) {
     Assembly A;
     A("addi", 4, 0, Status)("halt", 4)("break", 1);
@@ -167,7 +165,7 @@ void checkHalt() {
   }
 }
 
-void checkBreak() {
+static void checkBreak() {
   for (uint32_t Code : {0u, 1u, 0xFFFFu}) {
     Assembly A;
     Simulation S(quietChip(1, 1), A("break", Code));
@@ -178,7 +176,7 @@ void checkBreak() {
   }
 }
 
-void checkMarkers() {
+static void checkMarkers() {
   Assembly A;
   A("prof", 3)("prof", 3)("prof", 0xFFFF)("halt", 0);
   Simulation S(quietChip(1, 2), A);
@@ -189,7 +187,7 @@ void checkMarkers() {
   EXPECT_EQ(S.statistics().Markers[4], 0u);
 }
 
-void checkHostCall() {
+static void checkHostCall() {
   Assembly A;
   A.constant(5, DataBegin)("addi", 4, 0, 2)("addi", 6, 0, 5)("hostcall", 0)(
       "addi", 7, 2, 0)("lui", 6, 1)("addi", 4, 0, 1)("hostcall", 0)("halt", 0);
@@ -202,8 +200,6 @@ void checkHostCall() {
   EXPECT_EQ(S.output().substr(0, 16), "hellohello world");
   EXPECT_EQ(S.output().size(), 5u + 4096u);
 }
-
-} // namespace
 
 void addControlCases(InstructionCases &Cases) {
   struct Comparison {
