@@ -11,15 +11,15 @@
 
 namespace tp::host {
 
-namespace {
-
 constexpr uint64_t ArenaBytes = uint64_t(1) << 32;
 constexpr uint64_t FirstAddress = 0x10000;
 
-[[noreturn]] void fail(const char *Message) {
+[[noreturn]] static void fail(const char *Message) {
   fprintf(stderr, "error: %s\n", Message);
   exit(1);
 }
+
+namespace {
 
 struct Arena {
   char *Base;
@@ -34,12 +34,12 @@ struct Arena {
   }
 };
 
-Arena &arena() {
+} // namespace
+
+static Arena &arena() {
   static Arena TheArena;
   return TheArena;
 }
-
-} // namespace
 
 DeviceAddress allocate(uint32_t Bytes, uint32_t Alignment) {
   Arena &A = arena();

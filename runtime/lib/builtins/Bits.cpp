@@ -14,9 +14,7 @@
 
 using namespace tp::wide;
 
-namespace {
-
-inline int countLeadingZeros(uint32_t Value) {
+static inline int countLeadingZeros(uint32_t Value) {
   int Count = 0;
   for (int Step = 16; Step != 0; Step >>= 1)
     if (!(Value >> (32 - Step))) {
@@ -26,24 +24,22 @@ inline int countLeadingZeros(uint32_t Value) {
   return Value ? Count : 32;
 }
 
-inline int countTrailingZeros(uint32_t Value) {
+static inline int countTrailingZeros(uint32_t Value) {
   return Value ? 31 - countLeadingZeros(Value & -Value) : 32;
 }
 
 /// Sums neighbouring fields of 1, 2 and 4 bits, then all bytes by a product.
-inline int countOnes(uint32_t Value) {
+static inline int countOnes(uint32_t Value) {
   Value -= Value >> 1 & 0x55555555;
   Value = (Value & 0x33333333) + (Value >> 2 & 0x33333333);
   Value = (Value + (Value >> 4)) & 0x0F0F0F0F;
   return static_cast<int>(Value * 0x01010101 >> 24);
 }
 
-inline uint32_t swapBytes(uint32_t Value) {
+static inline uint32_t swapBytes(uint32_t Value) {
   return Value << 24 | (Value & 0xFF00) << 8 | (Value >> 8 & 0xFF00) |
          Value >> 24;
 }
-
-} // namespace
 
 extern "C" {
 

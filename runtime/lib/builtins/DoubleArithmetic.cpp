@@ -15,9 +15,7 @@
 using namespace tp::soft;
 using namespace tp::wide;
 
-namespace {
-
-uint64_t add(uint64_t A, uint64_t B) {
+static uint64_t add(uint64_t A, uint64_t B) {
   uint64_t MagnitudeA = A & ~kSign;
   uint64_t MagnitudeB = B & ~kSign;
   if (MagnitudeA < MagnitudeB) {
@@ -53,7 +51,7 @@ uint64_t add(uint64_t A, uint64_t B) {
   return pack(Sign, UA.Exponent + 1 - Shift, Sum << Shift);
 }
 
-uint64_t multiplyDoubles(uint64_t A, uint64_t B) {
+static uint64_t multiplyDoubles(uint64_t A, uint64_t B) {
   uint64_t Sign = (A ^ B) & kSign;
   A &= ~kSign;
   B &= ~kSign;
@@ -76,7 +74,7 @@ uint64_t multiplyDoubles(uint64_t A, uint64_t B) {
   return pack(Sign, Exponent, P.High | (P.Low != 0));
 }
 
-uint64_t divideDoubles(uint64_t A, uint64_t B) {
+static uint64_t divideDoubles(uint64_t A, uint64_t B) {
   uint64_t Sign = (A ^ B) & kSign;
   A &= ~kSign;
   B &= ~kSign;
@@ -104,7 +102,7 @@ uint64_t divideDoubles(uint64_t A, uint64_t B) {
 
 /// Bit by bit: Root is the root of the bits of the radicand taken so far, Rest
 /// what they exceed its square by.
-uint64_t squareRoot(uint64_t A) {
+static uint64_t squareRoot(uint64_t A) {
   uint64_t Magnitude = A & ~kSign;
   if (Magnitude == 0)
     return A;
@@ -130,11 +128,11 @@ uint64_t squareRoot(uint64_t A) {
   return pack(0, (Exponent >> 1) + kBias, Root << 9 | (Rest != 0));
 }
 
-bool less(const Product128 &A, const Product128 &B) {
+static bool less(const Product128 &A, const Product128 &B) {
   return A.High != B.High ? A.High < B.High : A.Low < B.Low;
 }
 
-Product128 shiftRightSticky(Product128 P, int Shift) {
+static Product128 shiftRightSticky(Product128 P, int Shift) {
   if (Shift == 0)
     return P;
   if (Shift >= 64)
@@ -144,7 +142,7 @@ Product128 shiftRightSticky(Product128 P, int Shift) {
           P.High << (64 - Shift) | P.Low >> Shift | (Lost != 0)};
 }
 
-uint64_t multiplyAdd(uint64_t A, uint64_t B, uint64_t C) {
+static uint64_t multiplyAdd(uint64_t A, uint64_t B, uint64_t C) {
   uint64_t MagnitudeA = A & ~kSign;
   uint64_t MagnitudeB = B & ~kSign;
   uint64_t MagnitudeC = C & ~kSign;
@@ -203,8 +201,6 @@ uint64_t multiplyAdd(uint64_t A, uint64_t B, uint64_t C) {
     Sum = {Sum.High << Shift | Sum.Low >> (64 - Shift), Sum.Low << Shift};
   return pack(Sign, Exponent - Shift, Sum.High | (Sum.Low != 0));
 }
-
-} // namespace
 
 extern "C" {
 

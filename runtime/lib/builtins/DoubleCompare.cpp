@@ -9,11 +9,9 @@
 
 using namespace tp::soft;
 
-namespace {
-
 /// -1, 0 or 1 as \p A is less than, equal to or greater than \p B;
 /// \p Unordered if one of them is a NaN.
-inline int compare(double A, double B, int Unordered) {
+static inline int compare(double A, double B, int Unordered) {
   uint64_t BitsA = bits(A), BitsB = bits(B);
   uint64_t MagnitudeA = BitsA & ~kSign;
   uint64_t MagnitudeB = BitsB & ~kSign;
@@ -26,8 +24,6 @@ inline int compare(double A, double B, int Unordered) {
   bool Less = BitsA < BitsB;
   return (BitsA & kSign ? !Less : Less) ? -1 : 1;
 }
-
-} // namespace
 
 extern "C" {
 

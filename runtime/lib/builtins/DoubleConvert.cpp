@@ -16,11 +16,9 @@
 using namespace tp::soft;
 using namespace tp::wide;
 
-namespace {
-
 /// Whole part of the number, whose \p Exponent is unbiased; all ones when it
 /// has more than 64 bits.
-inline uint64_t wholePart(int Exponent, uint64_t Significand) {
+static inline uint64_t wholePart(int Exponent, uint64_t Significand) {
   if (Exponent < 0)
     return 0;
   if (Exponent > 63)
@@ -28,19 +26,23 @@ inline uint64_t wholePart(int Exponent, uint64_t Significand) {
   return Significand >> (63 - Exponent);
 }
 
-inline int64_t saturate64(bool Negative, uint64_t Magnitude) {
+static inline int64_t saturate64(bool Negative, uint64_t Magnitude) {
   uint64_t Limit = (uint64_t(1) << 63) - !Negative;
   if (Magnitude > Limit)
     Magnitude = Limit;
   return static_cast<int64_t>(Negative ? -Magnitude : Magnitude);
 }
 
+namespace {
+
 struct Whole {
   bool Negative;
   uint64_t Magnitude;
 };
 
-inline Whole wholePart(double A) {
+} // namespace
+
+static inline Whole wholePart(double A) {
   uint64_t Bits = bits(A);
   uint64_t Magnitude = Bits & ~kSign;
   if (Magnitude < uint64_t(kBias) << 52 || Magnitude > kInfinity)
@@ -49,7 +51,7 @@ inline Whole wholePart(double A) {
   return {(Bits & kSign) != 0, wholePart(U.Exponent - kBias, U.Significand)};
 }
 
-inline Whole wholePart(float A) {
+static inline Whole wholePart(float A) {
   uint32_t Bits = bits(A);
   uint32_t Magnitude = Bits & 0x7FFFFFFF;
   if (Magnitude < uint32_t(kFloatBias) << 23 || Magnitude > 0x7F800000)
@@ -58,7 +60,7 @@ inline Whole wholePart(float A) {
   return {(Bits >> 31) != 0, wholePart(U.Exponent - kFloatBias, U.Significand)};
 }
 
-inline double toDouble(uint64_t Sign, uint64_t Magnitude) {
+static inline double toDouble(uint64_t Sign, uint64_t Magnitude) {
   if (Magnitude == 0)
     return fromBits(uint64_t(0));
   int Shift = leadingZeros(Magnitude);
@@ -66,7 +68,7 @@ inline double toDouble(uint64_t Sign, uint64_t Magnitude) {
 }
 
 /// 32-bit integers are exact.
-inline double toDouble(uint64_t Sign, uint32_t Magnitude) {
+static inline double toDouble(uint64_t Sign, uint32_t Magnitude) {
   if (Magnitude == 0)
     return fromBits(uint64_t(0));
   int Shift = __builtin_clz(Magnitude);
@@ -75,19 +77,17 @@ inline double toDouble(uint64_t Sign, uint32_t Magnitude) {
   return fromBits(Sign | make(High + (Significand >> 11), Significand << 21));
 }
 
-inline float toFloat(uint32_t Sign, uint64_t Magnitude) {
+static inline float toFloat(uint32_t Sign, uint64_t Magnitude) {
   if (Magnitude == 0)
     return 0.0f;
   int Shift = leadingZeros(Magnitude);
   return fromBits(packFloat(Sign, kFloatBias + 63 - Shift, Magnitude << Shift));
 }
 
-inline uint64_t magnitude(int64_t Value) {
+static inline uint64_t magnitude(int64_t Value) {
   return Value < 0 ? -static_cast<uint64_t>(Value)
                    : static_cast<uint64_t>(Value);
 }
-
-} // namespace
 
 extern "C" {
 

@@ -14,8 +14,6 @@
 
 using namespace tp::soft;
 
-namespace {
-
 constexpr int kHalfMantissaBits = 10;
 constexpr int kHalfBias = 15;
 constexpr uint16_t kHalfInfinity = 0x7C00;
@@ -23,7 +21,7 @@ constexpr uint16_t kHalfNaN = 0x7E00;
 
 /// The half nearest to the number with the unbiased \p Exponent whose
 /// \p Significand has its leading bit at the top; to even on a tie.
-uint16_t roundToHalf(int Exponent, uint64_t Significand) {
+static uint16_t roundToHalf(int Exponent, uint64_t Significand) {
   if (Exponent > kHalfBias)
     return kHalfInfinity;
   // Below the normal numbers a larger part of the significand is cut off.
@@ -41,8 +39,6 @@ uint16_t roundToHalf(int Exponent, uint64_t Significand) {
   return static_cast<uint16_t>((Base << kHalfMantissaBits) +
                                static_cast<int>(Kept) + Up);
 }
-
-} // namespace
 
 extern "C" {
 

@@ -9,10 +9,8 @@
 
 using namespace tp::wide;
 
-namespace {
-
 /// A zero divisor traps in the first 32-bit division.
-inline uint64_t divide64(uint64_t A, uint64_t B, uint64_t &Remainder) {
+static inline uint64_t divide64(uint64_t A, uint64_t B, uint64_t &Remainder) {
   if (high(B) == 0) {
     uint32_t Divisor = low(B);
     uint32_t QuotientHigh = 0;
@@ -55,16 +53,14 @@ inline uint64_t divide64(uint64_t A, uint64_t B, uint64_t &Remainder) {
   return Quotient;
 }
 
-inline uint64_t magnitude(int64_t Value) {
+static inline uint64_t magnitude(int64_t Value) {
   return Value < 0 ? -static_cast<uint64_t>(Value)
                    : static_cast<uint64_t>(Value);
 }
 
-inline int64_t withSign(uint64_t Magnitude, int64_t Sign) {
+static inline int64_t withSign(uint64_t Magnitude, int64_t Sign) {
   return static_cast<int64_t>(Sign < 0 ? -Magnitude : Magnitude);
 }
-
-} // namespace
 
 extern "C" {
 

@@ -11,9 +11,7 @@
 
 #include "runtime/lib/builtins/Libcall.h"
 
-namespace {
-
-template <typename T> inline T power(T Base, int Exponent) {
+template <typename T> static inline T power(T Base, int Exponent) {
   uint32_t Count = Exponent < 0 ? -static_cast<uint32_t>(Exponent)
                                 : static_cast<uint32_t>(Exponent);
   T Result = 1;
@@ -24,8 +22,6 @@ template <typename T> inline T power(T Base, int Exponent) {
   }
   return Exponent < 0 ? 1 / Result : Result;
 }
-
-} // namespace
 
 extern "C" {
 

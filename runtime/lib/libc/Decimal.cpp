@@ -8,8 +8,6 @@
 
 namespace tp {
 
-namespace {
-
 constexpr uint32_t Base = 1000000000;
 constexpr int DigitsPerWord = 9;
 
@@ -17,12 +15,10 @@ constexpr uint32_t PowersOfTen[DigitsPerWord] = {
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
 
 /// How many words the word of 10^\p Power lies before the units word.
-int wordsAboveUnits(int Power) {
+static int wordsAboveUnits(int Power) {
   return Power >= 0 ? Power / DigitsPerWord
                     : -((DigitsPerWord - 1 - Power) / DigitsPerWord);
 }
-
-} // namespace
 
 Decimal::Decimal(double Value) {
   uint64_t Bits = __builtin_bit_cast(uint64_t, Value);

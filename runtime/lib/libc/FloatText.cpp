@@ -30,13 +30,17 @@ struct ParsedNumber {
   Decimal::Binary Value = {0, 0};
 };
 
-bool isBlank(char Character) {
+} // namespace
+
+static bool isBlank(char Character) {
   return Character == ' ' || (Character >= '\t' && Character <= '\r');
 }
 
-bool isDigit(char Character) { return Character >= '0' && Character <= '9'; }
+static bool isDigit(char Character) {
+  return Character >= '0' && Character <= '9';
+}
 
-int hexValue(char Character) {
+static int hexValue(char Character) {
   if (isDigit(Character))
     return Character - '0';
   char Lower = static_cast<char>(Character | 0x20);
@@ -44,7 +48,7 @@ int hexValue(char Character) {
 }
 
 /// Moves \p Text past \p Word in any case of letters, if it is there.
-bool skipWord(const char *&Text, const char *Word) {
+static bool skipWord(const char *&Text, const char *Word) {
   const char *Rest = Text;
   for (; *Word != '\0'; ++Word, ++Rest)
     if ((*Rest | 0x20) != *Word)
@@ -55,7 +59,7 @@ bool skipWord(const char *&Text, const char *Word) {
 
 /// The number behind an 'e' or 'p', which is \p Letter; 0 if there is none. Far
 /// beyond any range it stops growing.
-int readExponent(const char *&Text, char Letter) {
+static int readExponent(const char *&Text, char Letter) {
   if ((*Text | 0x20) != Letter)
     return 0;
   const char *Rest = Text + 1;
@@ -74,7 +78,7 @@ int readExponent(const char *&Text, char Letter) {
 
 constexpr Decimal::Binary TooLarge = {1, 100000};
 
-bool readDecimal(const char *&Text, Format F, Decimal::Binary &Value) {
+static bool readDecimal(const char *&Text, Format F, Decimal::Binary &Value) {
   const char *Begin = Text;
   const char *Rest = Text;
   // Digits are numbered from the first that is not 0.
@@ -120,7 +124,8 @@ bool readDecimal(const char *&Text, Format F, Decimal::Binary &Value) {
 }
 
 /// \p Text stands behind "0x".
-bool readHexadecimal(const char *&Text, Format F, Decimal::Binary &Value) {
+static bool readHexadecimal(const char *&Text, Format F,
+                            Decimal::Binary &Value) {
   const char *Rest = Text;
   uint64_t Significand = 0;
   long long Exponent = 0;
@@ -171,7 +176,7 @@ bool readHexadecimal(const char *&Text, Format F, Decimal::Binary &Value) {
   return true;
 }
 
-ParsedNumber parse(const char *Text, char **End, Format F) {
+static ParsedNumber parse(const char *Text, char **End, Format F) {
   ParsedNumber Result;
   const char *Rest = Text;
   while (isBlank(*Rest))
@@ -196,8 +201,6 @@ ParsedNumber parse(const char *Text, char **End, Format F) {
     *End = const_cast<char *>(Found ? Rest : Text);
   return Result;
 }
-
-} // namespace
 
 extern "C" {
 

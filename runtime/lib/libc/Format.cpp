@@ -64,6 +64,8 @@ private:
   int Written = 0;
 };
 
+} // namespace
+
 void Formatter::fill(char Character, int Count) {
   char Block[16];
   for (char &Element : Block)
@@ -93,7 +95,7 @@ void Formatter::number(const Conversion &C, const char *Prefix, int PrefixBytes,
     fill(' ', Blanks);
 }
 
-int signPrefix(const Conversion &C, bool Negative, char *Prefix) {
+static int signPrefix(const Conversion &C, bool Negative, char *Prefix) {
   if (Negative)
     *Prefix = '-';
   else if (C.Plus)
@@ -106,7 +108,7 @@ int signPrefix(const Conversion &C, bool Negative, char *Prefix) {
 }
 
 /// Writes \p Value's decimal digits so that they end before \p End.
-char *decimalDigits(uint64_t Value, char *End) {
+static char *decimalDigits(uint64_t Value, char *End) {
   while (Value >> 32 != 0) {
     uint64_t Quotient = Value / 1000000000;
     uint32_t Rest = static_cast<uint32_t>(Value - Quotient * 1000000000);
@@ -119,7 +121,7 @@ char *decimalDigits(uint64_t Value, char *End) {
   return End;
 }
 
-char hexDigit(unsigned Value, bool Upper) {
+static char hexDigit(unsigned Value, bool Upper) {
   return (Upper ? "0123456789ABCDEF" : "0123456789abcdef")[Value & 15];
 }
 
@@ -187,7 +189,7 @@ void Formatter::fixed(const Conversion &C, const Decimal &Digits,
 }
 
 /// 'e', sign and at least two digits.
-int exponentText(int Exponent, bool Upper, char *Text) {
+static int exponentText(int Exponent, bool Upper, char *Text) {
   Text[0] = Upper ? 'E' : 'e';
   Text[1] = Exponent < 0 ? '-' : '+';
   unsigned Value = static_cast<unsigned>(Exponent < 0 ? -Exponent : Exponent);
@@ -327,7 +329,7 @@ void Formatter::real(const Conversion &C, double Value, char Specifier) {
   fixed(C, Digits, Prefix, PrefixBytes, Behind);
 }
 
-int boundedLength(const char *Text, int Limit) {
+static int boundedLength(const char *Text, int Limit) {
   int Bytes = 0;
   while (Bytes != Limit && Text[Bytes] != '\0')
     ++Bytes;
@@ -335,14 +337,14 @@ int boundedLength(const char *Text, int Limit) {
 }
 
 /// Reads the digits of a width or precision.
-int readNumber(const char *&Format) {
+static int readNumber(const char *&Format) {
   int Value = 0;
   while (*Format >= '0' && *Format <= '9')
     Value = Value * 10 + (*Format++ - '0');
   return Value;
 }
 
-void readFlags(const char *&Format, Conversion &C) {
+static void readFlags(const char *&Format, Conversion &C) {
   for (;; ++Format)
     switch (*Format) {
     case '-':
@@ -365,11 +367,11 @@ void readFlags(const char *&Format, Conversion &C) {
     }
 }
 
-template <typename T> Length lengthOf() {
+template <typename T> static Length lengthOf() {
   return sizeof(T) == sizeof(int) ? Length::Int : Length::LongLong;
 }
 
-Length readLength(const char *&Format) {
+static Length readLength(const char *&Format) {
   switch (*Format) {
   case 'h':
     if (*++Format != 'h')
@@ -398,12 +400,16 @@ Length readLength(const char *&Format) {
   }
 }
 
+namespace {
+
 /// A va_list that functions can share.
 struct ArgumentList {
   va_list List;
 };
 
-uint64_t readUnsigned(Length Size, ArgumentList &Arguments) {
+} // namespace
+
+static uint64_t readUnsigned(Length Size, ArgumentList &Arguments) {
   switch (Size) {
   case Length::Char:
     return static_cast<unsigned char>(va_arg(Arguments.List, unsigned));
@@ -419,7 +425,7 @@ uint64_t readUnsigned(Length Size, ArgumentList &Arguments) {
   return va_arg(Arguments.List, unsigned long long);
 }
 
-int64_t readSigned(Length Size, ArgumentList &Arguments) {
+static int64_t readSigned(Length Size, ArgumentList &Arguments) {
   switch (Size) {
   case Length::Char:
     return static_cast<signed char>(va_arg(Arguments.List, int));
@@ -435,7 +441,7 @@ int64_t readSigned(Length Size, ArgumentList &Arguments) {
   return va_arg(Arguments.List, long long);
 }
 
-void storeCount(Length Size, ArgumentList &Arguments, int Count) {
+static void storeCount(Length Size, ArgumentList &Arguments, int Count) {
   switch (Size) {
   case Length::Char:
     *va_arg(Arguments.List, signed char *) = static_cast<signed char>(Count);
@@ -456,8 +462,8 @@ void storeCount(Length Size, ArgumentList &Arguments, int Count) {
 }
 
 /// Writes the conversion at \p Specifier; false for an unknown one.
-bool convert(Formatter &Out, Conversion &C, char Specifier,
-             ArgumentList &Arguments) {
+static bool convert(Formatter &Out, Conversion &C, char Specifier,
+                    ArgumentList &Arguments) {
   switch (Specifier) {
   case '%':
     Out.write("%", 1);
@@ -517,8 +523,6 @@ bool convert(Formatter &Out, Conversion &C, char Specifier,
     return false;
   }
 }
-
-} // namespace
 
 int formatText(TextSink &Sink, const char *Format, va_list Arguments) {
   Formatter Out(Sink);

@@ -13,8 +13,6 @@
 using namespace tp;
 using namespace tp::soft;
 
-namespace {
-
 constexpr DoublePair Ln2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 constexpr DoublePair Log10Of2 = {0x1.34413509f79ffp-2, -0x1.9dc1da994fd21p-59};
 /// ln 2 so that its product with any exponent is exact, and the rest.
@@ -22,7 +20,7 @@ constexpr DoublePair Ln2Exact = {0x1.62e42fefa0000p-1, 0x1.cf79abc9e3b3ap-40};
 
 /// 2^(High + Low) for results from the smallest subnormal to below infinity;
 /// 2^-58.
-double exponential2(DoublePair X) {
+static double exponential2(DoublePair X) {
   static const double P[] = {
       0x1.ebfbdff82c58fp-3,  0x1.c6b08d704a0c0p-5,  0x1.3b2ab6fba4e79p-7,
       0x1.5d87fe78a6732p-10, 0x1.430912f86b7dbp-13, 0x1.ffcbfc588a530p-17,
@@ -41,7 +39,7 @@ double exponential2(DoublePair X) {
 
 /// \p Magnitude times 2 to the minus \p Exponent, in [sqrt(1/2), sqrt(2)), for
 /// a finite number above 0.
-double splitAroundOne(uint64_t Magnitude, int &Exponent) {
+static double splitAroundOne(uint64_t Magnitude, int &Exponent) {
   constexpr uint64_t SquareRootOf2 = 0xB504F333F9DE6484u;
   Unpacked U = unpack(Magnitude);
   bool Lower = U.Significand >= SquareRootOf2;
@@ -49,7 +47,7 @@ double splitAroundOne(uint64_t Magnitude, int &Exponent) {
   return fromBits(pack(0, kBias - Lower, U.Significand));
 }
 
-DoublePair logarithm2(uint64_t Magnitude) {
+static DoublePair logarithm2(uint64_t Magnitude) {
   static const double P[] = {
       0x1.999999999999ap-3, 0x1.2492492492491p-3, 0x1.c71c71c71cfd7p-4,
       0x1.745d17451376fp-4, 0x1.3b13b1bc64de3p-4, 0x1.1110dfb241e74p-4,
@@ -73,7 +71,7 @@ DoublePair logarithm2(uint64_t Magnitude) {
 }
 
 /// Handles what has no finite logarithm; true if that was it.
-bool isSpecialLogarithm(double X, double &Result) {
+static bool isSpecialLogarithm(double X, double &Result) {
   uint64_t Magnitude = bits(X) & ~kSign;
   if (Magnitude == 0)
     Result = -doubleInfinity();
@@ -87,7 +85,7 @@ bool isSpecialLogarithm(double X, double &Result) {
 }
 
 /// 0 if \p Y is no integer, else 1 (even) or 2 (odd).
-int integerKind(double Y) {
+static int integerKind(double Y) {
   double Magnitude = magnitudeOf(Y);
   if (Magnitude >= 0x1p53)
     return 1;
@@ -96,8 +94,6 @@ int integerKind(double Y) {
     return 0;
   return 1 + (Whole & 1);
 }
-
-} // namespace
 
 extern "C" {
 

@@ -13,14 +13,12 @@
 using namespace tp;
 using namespace tp::soft;
 
-namespace {
-
 constexpr DoublePair Pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 constexpr DoublePair HalfPi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 constexpr DoublePair QuarterPi = {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
 
 /// asin(X) - X divided by X, for X^2 = \p Square <= 1/4; 2^-57.
-double asinTail(double Square) {
+static double asinTail(double Square) {
   static const double P[] = {
       0x1.5555555555556p-3, 0x1.3333333332ecap-4, 0x1.6db6db6e31f13p-5,
       0x1.f1c71c1db0623p-6, 0x1.6e8bb1c8209a2p-6, 0x1.1c4d35cf95421p-6,
@@ -31,7 +29,7 @@ double asinTail(double Square) {
 }
 
 /// asin(sqrt(\p Square)) for 0 < \p Square <= 1/4.
-DoublePair asinOfRoot(double Square) {
+static DoublePair asinOfRoot(double Square) {
   double Root = TP_LIBCALL(__tp_sqrtdf)(Square);
   DoublePair P = twoProduct(Root, Root);
   double RootLow = ((Square - P.High) - P.Low) / (Root + Root);
@@ -39,7 +37,7 @@ DoublePair asinOfRoot(double Square) {
 }
 
 /// atan(X) for |X| <= tan(pi/8); 2^-58.
-DoublePair atanOf(DoublePair X) {
+static DoublePair atanOf(DoublePair X) {
   static const double P[] = {
       -0x1.5555555555555p-2, 0x1.9999999999953p-3,  -0x1.249249248d7eep-3,
       0x1.c71c71c304b64p-4,  -0x1.745d165df3ee7p-4, 0x1.3b1392d9e64b0p-4,
@@ -52,7 +50,7 @@ DoublePair atanOf(DoublePair X) {
 
 /// atan(\p Y / \p X) for numbers above 0 at which no product overflows or is
 /// subnormal.
-DoublePair atanOfQuotient(double Y, double X) {
+static DoublePair atanOfQuotient(double Y, double X) {
   constexpr double TanEighthPi = 0x1.a827999fcef32p-2;
   if (Y <= X * TanEighthPi)
     return atanOf(divide(Y, {X, 0.0}));
@@ -68,8 +66,6 @@ DoublePair atanOfQuotient(double Y, double X) {
   DoublePair S = fastTwoSum(QuarterPi.High, A.High);
   return {S.High, S.Low + (QuarterPi.Low + A.Low)};
 }
-
-} // namespace
 
 extern "C" {
 

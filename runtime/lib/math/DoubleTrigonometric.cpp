@@ -20,6 +20,8 @@ struct ReducedAngle {
   uint32_t Quadrant;
 };
 
+} // namespace
+
 /// 64 zeros, then the bits of 2/pi behind the point.
 constexpr uint32_t TwoOverPi[] = {
     0x00000000, 0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0,
@@ -31,7 +33,7 @@ constexpr uint32_t TwoOverPi[] = {
     0x6bfb5fb1, 0x1f8d5d08, 0x56033046, 0xfc7b6bab, 0xf0cfbc20};
 
 /// 64 bits of the table from \p Bit on.
-uint64_t twoOverPiBits(uint32_t Bit) {
+static uint64_t twoOverPiBits(uint32_t Bit) {
   const uint32_t *Word = TwoOverPi + Bit / 32;
   uint32_t Shift = Bit % 32;
   uint64_t Bits = wide::make(Word[0], Word[1]);
@@ -41,7 +43,7 @@ uint64_t twoOverPiBits(uint32_t Bit) {
 constexpr double QuarterPi = 0x1.921fb54442d18p-1;
 
 /// For finite \p X.
-ReducedAngle reduce(double X) {
+static ReducedAngle reduce(double X) {
   uint64_t Bits = bits(X);
   uint64_t Magnitude = Bits & ~kSign;
   if (Magnitude <= bits(QuarterPi))
@@ -93,7 +95,7 @@ ReducedAngle reduce(double X) {
 }
 
 /// sin(R) = R.High + the result, for |R| <= pi/4; 2^-57.
-double sineTail(DoublePair R) {
+static double sineTail(DoublePair R) {
   static const double P[] = {-0x1.5555555555555p-3,  0x1.1111111111110p-7,
                              -0x1.a01a01a019938p-13, 0x1.71de3a546095bp-19,
                              -0x1.ae645412c55f8p-26, 0x1.61217f0b7f164p-33,
@@ -103,7 +105,7 @@ double sineTail(DoublePair R) {
 }
 
 /// cos(R) for |R| <= pi/4; 2^-60.
-DoublePair cosineOf(DoublePair R) {
+static DoublePair cosineOf(DoublePair R) {
   static const double Q[] = {0x1.5555555555555p-5,  -0x1.6c16c16c16c16p-10,
                              0x1.a01a01a019d0ap-16, -0x1.27e4fb7712d65p-22,
                              0x1.1eed8deb97a8fp-29, -0x1.9394ba0cd6119p-37,
@@ -118,9 +120,7 @@ DoublePair cosineOf(DoublePair R) {
 /// Below this sin and tan of X are X, and the products would be subnormal.
 constexpr double Tiny = 0x1p-27;
 
-bool isFinite(double X) { return (bits(X) & ~kSign) < kInfinity; }
-
-} // namespace
+static bool isFinite(double X) { return (bits(X) & ~kSign) < kInfinity; }
 
 extern "C" {
 

@@ -12,8 +12,6 @@
 
 namespace tp {
 
-namespace {
-
 constexpr FloatPair Ln2 = {0x1.62e430p-1f, -0x1.05c610p-29f};
 constexpr FloatPair Log10Of2 = {0x1.344136p-2f, -0x1.ec10c0p-27f};
 /// ln 2 so that its product with any float's exponent is exact, and the rest.
@@ -21,7 +19,7 @@ constexpr FloatPair Ln2Exact = {0x1.62e400p-1f, 0x1.7f7d1cp-20f};
 
 /// 2^(High + Low) for results from the smallest subnormal to below infinity;
 /// 2^-31.
-float exponential2(FloatPair X) {
+static float exponential2(FloatPair X) {
   float Whole = rint(X.High);
   FloatPair Fraction = twoSum(X.High - Whole, X.Low);
   float Rest = Fraction.High;
@@ -39,7 +37,7 @@ float exponential2(FloatPair X) {
 
 /// Whether \p Y is an integer, and if so, odd: 0, 1 (even) or 2 (odd). A float
 /// from 2^24 on is even.
-int integerKind(float Y) {
+static int integerKind(float Y) {
   float Magnitude = fabs(Y);
   if (Magnitude >= 0x1p24f)
     return 1;
@@ -48,8 +46,6 @@ int integerKind(float Y) {
     return 0;
   return 1 + (Whole & 1);
 }
-
-} // namespace
 
 FloatPair logarithm2(uint32_t Bits) {
   int Exponent;

@@ -12,14 +12,12 @@
 
 namespace tp {
 
-namespace {
-
 constexpr FloatPair Pi = {0x1.921fb6p+1f, -0x1.777a5cp-24f};
 constexpr FloatPair HalfPi = {0x1.921fb6p+0f, -0x1.777a5cp-25f};
 constexpr FloatPair QuarterPi = {0x1.921fb6p-1f, -0x1.777a5cp-26f};
 
 /// asin(X) - X divided by X, for X^2 = \p Square <= 1/4; 2^-28.
-inline float asinTail(float Square) {
+static inline float asinTail(float Square) {
   float P = 0x1.18f91ep-6f + Square * 0x1.13fed4p-5f;
   P = 0x1.fd8da2p-6f + Square * P;
   P = 0x1.6d5bbap-5f + Square * P;
@@ -29,7 +27,7 @@ inline float asinTail(float Square) {
 }
 
 /// asin(sqrt(\p Square)) for 0 < \p Square <= 1/4.
-inline FloatPair asinOfRoot(float Square) {
+static inline FloatPair asinOfRoot(float Square) {
   float Root = sqrt(Square);
   FloatPair P = twoProduct(Root, Root);
   float RootLow = ((Square - P.High) - P.Low) / (Root + Root);
@@ -37,7 +35,7 @@ inline FloatPair asinOfRoot(float Square) {
 }
 
 /// atan(X) for X = \p X.High + \p X.Low, |X| <= tan(pi/8); 2^-29.
-inline FloatPair atanOf(FloatPair X) {
+static inline FloatPair atanOf(FloatPair X) {
   float Square = X.High * X.High;
   float P = -0x1.614378p-4f + Square * 0x1.9d86ecp-5f;
   P = 0x1.c57b92p-4f + Square * P;
@@ -49,7 +47,7 @@ inline FloatPair atanOf(FloatPair X) {
 
 /// atan(\p Y / \p X) for finite numbers above 0 whose quotient neither
 /// overflows nor is subnormal.
-inline FloatPair atanOfQuotient(float Y, float X) {
+static inline FloatPair atanOfQuotient(float Y, float X) {
   constexpr float TanEighthPi = 0x1.a8279ap-2f;
   if (Y <= X * TanEighthPi)
     return atanOf(divide(Y, {X, 0.0f}));
@@ -65,8 +63,6 @@ inline FloatPair atanOfQuotient(float Y, float X) {
   FloatPair S = fastTwoSum(QuarterPi.High, A.High);
   return {S.High, S.Low + (QuarterPi.Low + A.Low)};
 }
-
-} // namespace
 
 float asin(float X) {
   float Magnitude = fabs(X);

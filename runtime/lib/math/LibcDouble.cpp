@@ -13,8 +13,10 @@ namespace {
 
 enum class Direction { Zero, Down, Up, NearestEven, NearestAway };
 
+} // namespace
+
 /// The whole number beside \p X in \p To's direction.
-double roundWhole(double X, Direction To) {
+static double roundWhole(double X, Direction To) {
   uint64_t Bits = bits(X);
   uint64_t Magnitude = Bits & ~kSign;
   uint64_t Sign = Bits & kSign;
@@ -53,7 +55,7 @@ double roundWhole(double X, Direction To) {
   return fromBits(Sign | (Whole + (Away ? One : 0)));
 }
 
-double scaleBy(double X, int Exponent) {
+static double scaleBy(double X, int Exponent) {
   uint64_t Magnitude = bits(X) & ~kSign;
   if (Magnitude > kInfinity)
     return fromBits(kNaN);
@@ -68,7 +70,7 @@ double scaleBy(double X, int Exponent) {
   return fromBits(pack(bits(X) & kSign, U.Exponent + Exponent, U.Significand));
 }
 
-double remainder(double X, double Y) {
+static double remainder(double X, double Y) {
   uint64_t Dividend = bits(X) & ~kSign;
   uint64_t Divisor = bits(Y) & ~kSign;
   uint64_t Sign = bits(X) & kSign;
@@ -96,7 +98,7 @@ double remainder(double X, double Y) {
 }
 
 /// The smaller of the two in the order -0 < +0, NaN losing.
-double smaller(double A, double B) {
+static double smaller(double A, double B) {
   if ((bits(A) & ~kSign) > kInfinity)
     return (bits(B) & ~kSign) > kInfinity ? fromBits(kNaN) : B;
   if ((bits(B) & ~kSign) > kInfinity)
@@ -107,8 +109,6 @@ double smaller(double A, double B) {
     return NegativeA ? A : B;
   return (bits(A) < bits(B)) != NegativeA ? A : B;
 }
-
-} // namespace
 
 extern "C" {
 

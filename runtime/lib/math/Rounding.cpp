@@ -8,15 +8,11 @@
 
 namespace tp {
 
-namespace {
-
 /// From here on every float is whole; NaN counts as such.
-inline bool isWhole(float X) { return !(fabs(X) < 0x1p23f); }
+static inline bool isWhole(float X) { return !(fabs(X) < 0x1p23f); }
 
 /// A NaN's quiet form, or \p X itself.
-inline float wholeResult(float X) { return X != X ? floatNaN() : X; }
-
-} // namespace
+static inline float wholeResult(float X) { return X != X ? floatNaN() : X; }
 
 float trunc(float X) {
   if (isWhole(X))

@@ -22,6 +22,8 @@ struct ReducedAngle {
   uint32_t Quadrant;
 };
 
+} // namespace
+
 /// 32 zeros, then the bits of 2/pi behind the point.
 constexpr uint32_t TwoOverPi[] = {
     0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1,
@@ -29,7 +31,7 @@ constexpr uint32_t TwoOverPi[] = {
 };
 
 /// 32 bits of the table from \p Bit on.
-inline uint32_t twoOverPiBits(uint32_t Bit) {
+static inline uint32_t twoOverPiBits(uint32_t Bit) {
   const uint32_t *Word = TwoOverPi + Bit / 32;
   uint32_t Shift = Bit % 32;
   return Shift == 0 ? Word[0] : Word[0] << Shift | Word[1] >> (32 - Shift);
@@ -38,7 +40,7 @@ inline uint32_t twoOverPiBits(uint32_t Bit) {
 constexpr float QuarterPi = 0x1.921fb6p-1f;
 
 /// For finite \p X.
-ReducedAngle reduce(float X) {
+static ReducedAngle reduce(float X) {
   uint32_t Bits = floatBits(X);
   uint32_t Magnitude = Bits & ~kFloatSign;
   if (Magnitude <= floatBits(QuarterPi))
@@ -82,7 +84,7 @@ ReducedAngle reduce(float X) {
 }
 
 /// sin(R) for |R| <= pi/4; the polynomial's error is 2^-28.
-inline float sineOf(FloatPair R) {
+static inline float sineOf(FloatPair R) {
   float Square = R.High * R.High;
   float P = -0x1.a013a8p-13f + Square * 0x1.6dbdeep-19f;
   P = 0x1.11110ep-7f + Square * P;
@@ -91,7 +93,7 @@ inline float sineOf(FloatPair R) {
 }
 
 /// cos(R) for |R| <= pi/4; the polynomial's error is 2^-31.
-inline float cosineOf(FloatPair R) {
+static inline float cosineOf(FloatPair R) {
   FloatPair Square = twoProduct(R.High, R.High);
   float Q = 0x1.a015c4p-16f + Square.High * -0x1.25243cp-22f;
   Q = -0x1.6c16c0p-10f + Square.High * Q;
@@ -103,14 +105,12 @@ inline float cosineOf(FloatPair R) {
          (Start.Low + (Rest - (0.5f * Square.Low + R.High * R.Low)));
 }
 
-bool isFinite(float X) {
+static bool isFinite(float X) {
   return (floatBits(X) & kFloatInfinity) != kFloatInfinity;
 }
 
 /// Below this sin and tan of X are X, and the products would be subnormal.
 constexpr float Tiny = 0x1p-12f;
-
-} // namespace
 
 float sin(float X) {
   if (!isFinite(X))

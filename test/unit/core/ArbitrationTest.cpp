@@ -11,15 +11,15 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
-ChipConfig chipWith(uint32_t TpsPerTm, Unit Type, uint32_t Count,
-                    uint32_t Interval = 1) {
+static ChipConfig chipWith(uint32_t TpsPerTm, Unit Type, uint32_t Count,
+                           uint32_t Interval = 1) {
   ChipConfig Chip = quietChip(1, TpsPerTm);
   Chip.Units[unsigned(Type)].Count = Count;
   Chip.Units[unsigned(Type)].Interval = Interval;
   return Chip;
 }
+
+namespace {
 
 class UnitConflicts : public testing::TestWithParam<uint32_t> {};
 

@@ -41,6 +41,7 @@ std::vector<uint32_t> Assembly::words() const {
     }
     uint32_t Address = TextBegin + uint32_t(Words.size()) * 4;
     std::vector<int64_t> Values;
+    Values.reserve(L.Operands.size());
     for (const Operand &O : L.Operands)
       Values.push_back(O.Label.empty()
                            ? O.Value

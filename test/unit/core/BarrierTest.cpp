@@ -11,15 +11,15 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
 /// Thread t sleeps 2^Shift t cycles before the barrier: mfsr 0, sll 1, sleep 2,
 /// barrier in 3 + 2^Shift t.
-Assembly staggered(int Shift) {
+static Assembly staggered(int Shift) {
   Assembly A;
   return A("mfsr", 4, int(SpecialRegister::thread))("sll", 4, 4, Shift)(
       "sleep", 4)("barrier");
 }
+
+namespace {
 
 TEST(Barrier, AllContinueAfterTheWindowOfTheLast) {
   // Four threads in two TMs arrive in 3, 4, 5, 6: all continue in cycle 16.

@@ -13,12 +13,10 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
 /// A program in which all threads disturb each other: they take tickets from a
 /// counter, sleep, store and branch by what they get, race on words, use one
 /// stream, meet at barriers and print.
-Assembly contendedProgram() {
+static Assembly contendedProgram() {
   Assembly A;
   A("lui", 20, DataBegin >> 16)("addi", 21, 20, 0x100)("addi", 8, 0,
                                                        40)("addi", 23, 0, -256);
@@ -41,7 +39,7 @@ Assembly contendedProgram() {
   return A;
 }
 
-ChipConfig contendedChip(uint32_t Tms, uint32_t Tps) {
+static ChipConfig contendedChip(uint32_t Tms, uint32_t Tps) {
   ChipConfig Chip = quietChip(Tms, Tps);
   for (UnitConfig &Type : Chip.Units)
     Type.Count = std::max(1u, Tps / 2);
@@ -51,12 +49,12 @@ ChipConfig contendedChip(uint32_t Tms, uint32_t Tps) {
   return Chip;
 }
 
-bool operator==(const ThreadStatistics &A, const ThreadStatistics &B) {
+static bool operator==(const ThreadStatistics &A, const ThreadStatistics &B) {
   return A.Instructions == B.Instructions && A.FinishCycle == B.FinishCycle &&
          A.Lost == B.Lost;
 }
 
-void expectSame(const Statistics &A, const Statistics &B) {
+static void expectSame(const Statistics &A, const Statistics &B) {
   EXPECT_EQ(A.Cycles, B.Cycles);
   EXPECT_EQ(A.Executed, B.Executed);
   EXPECT_EQ(A.DataStall, B.DataStall);
@@ -66,6 +64,8 @@ void expectSame(const Statistics &A, const Statistics &B) {
   for (size_t I = 0; I != A.Threads.size(); ++I)
     EXPECT_TRUE(A.Threads[I] == B.Threads[I]) << "thread " << I;
 }
+
+namespace {
 
 class Determinism
     : public testing::TestWithParam<std::pair<uint32_t, uint32_t>> {};

@@ -11,9 +11,9 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
+static Assembly halted(Assembly A) { return A("halt", 0); }
 
-Assembly halted(Assembly A) { return A("halt", 0); }
+namespace {
 
 TEST(Issue, IndependentInstructionsIssueEveryCycle) {
   // Cycles 0..9: addi; cycle 10: halt. The run ends after cycle 10.

@@ -11,18 +11,18 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
 constexpr int Thread = int(SpecialRegister::thread);
 
 /// Runs on one TP and gives the trap; where it happened is for the test to say.
-Trap trapOf(const Assembly &A) {
+static Trap trapOf(const Assembly &A) {
   Simulation S(quietChip(1, 1), A);
   RunResult Result = S.run();
   EXPECT_EQ(Result.End, RunResult::Trapped);
   EXPECT_EQ(Result.ExitStatus, 1);
   return Result.TrapInfo.value_or(Trap());
 }
+
+namespace {
 
 TEST(Traps, IllegalInstruction) {
   Assembly A;
