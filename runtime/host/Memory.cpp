@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "runtime/host/HostRuntime.h"
+#include "tp/memory_map.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -12,7 +13,6 @@
 namespace tp::host {
 
 constexpr uint64_t ArenaBytes = uint64_t(1) << 32;
-constexpr uint64_t FirstAddress = 0x10000;
 
 [[noreturn]] static void fail(const char *Message) {
   fprintf(stderr, "error: %s\n", Message);
@@ -23,7 +23,7 @@ namespace {
 
 struct Arena {
   char *Base;
-  uint64_t Next = FirstAddress;
+  uint64_t Next = kGlobalMemoryBegin;
 
   Arena() {
     void *Memory = mmap(nullptr, ArenaBytes, PROT_READ | PROT_WRITE,
@@ -63,7 +63,7 @@ DeviceAddress deviceAddress(const void *Pointer) {
 void resetMemory() {
   Arena &A = arena();
   madvise(A.Base, A.Next, MADV_DONTNEED);
-  A.Next = FirstAddress;
+  A.Next = kGlobalMemoryBegin;
 }
 
 } // namespace tp::host

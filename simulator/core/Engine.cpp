@@ -20,7 +20,7 @@ static std::string findError(const ChipConfig &Chip, const Program &Text,
                              const ResourceLayout &Layout) {
   if (!Global.isMapped())
     return "the host has no room for the chip's global memory";
-  if (Global.size() <= GlobalMemoryBegin ||
+  if (Global.size() <= kGlobalMemoryBegin ||
       Global.size() > (uint64_t(1) << 32) - Chip.LocalStoreBytes)
     return "global memory does not fit between address 0x10000 and the local "
            "store";

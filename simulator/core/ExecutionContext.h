@@ -227,7 +227,7 @@ private:
     return At - Runner.Chip.LocalBegin < Runner.Chip.LocalBytes;
   }
   bool isGlobal(uint32_t At) const {
-    return At - GlobalMemoryBegin < Runner.Chip.GlobalBytes;
+    return At - kGlobalMemoryBegin < Runner.Chip.GlobalBytes;
   }
   bool isReadOnly(uint32_t At) const {
     return At - Runner.Chip.TextBegin < Runner.Chip.ReadOnlyBytes;
@@ -244,8 +244,8 @@ private:
   }
 
   void trapBadAddress(uint32_t At) {
-    trap(At < GlobalMemoryBegin ? TrapKind::NullAccess
-                                : TrapKind::AddressOutOfRange,
+    trap(At < kGlobalMemoryBegin ? TrapKind::NullAccess
+                                 : TrapKind::AddressOutOfRange,
          At);
   }
   void trapBadStore(uint32_t At) {

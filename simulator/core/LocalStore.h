@@ -7,13 +7,11 @@
 #ifndef TP_SIMULATOR_CORE_LOCALSTORE_H
 #define TP_SIMULATOR_CORE_LOCALSTORE_H
 
+#include "runtime/include/tp/memory_map.h"
+
 #include <cstdint>
 
 namespace tp {
-
-/// The last bytes of the address space stay unused, so that a pointer one past
-/// the end of the local store does not wrap around.
-inline constexpr uint32_t LocalStoreReservedBytes = 16;
 
 /// Cycles from the issue of a load or atomic on the local store to its result.
 inline constexpr uint32_t LocalStoreLatency = 1;
@@ -26,8 +24,8 @@ struct LocalStoreRange {
 
   explicit LocalStoreRange(uint32_t Bytes)
       : Begin(0 - Bytes),
-        Size(Bytes > LocalStoreReservedBytes ? Bytes - LocalStoreReservedBytes
-                                             : 0) {}
+        Size(Bytes > kLocalStoreReservedBytes ? Bytes - kLocalStoreReservedBytes
+                                              : 0) {}
 
   bool contains(uint32_t Address, uint32_t Bytes) const {
     return Bytes <= Size && Address - Begin <= Size - Bytes;

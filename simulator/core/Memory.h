@@ -7,14 +7,13 @@
 #ifndef TP_SIMULATOR_CORE_MEMORY_H
 #define TP_SIMULATOR_CORE_MEMORY_H
 
+#include "runtime/include/tp/memory_map.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 namespace tp {
-
-/// The first byte of global memory; accesses below it are null dereferences.
-inline constexpr uint32_t GlobalMemoryBegin = 0x10000;
 
 /// Zeroed pages of the host, taken from it only when they are touched.
 class HostPages {
@@ -33,7 +32,7 @@ private:
   size_t Bytes = 0;
 };
 
-/// The chip's global memory, [GlobalMemoryBegin, size()), zero at the start,
+/// The chip's global memory, [kGlobalMemoryBegin, size()), zero at the start,
 /// as the host reads and writes it before and after a run.
 class Memory {
 public:
@@ -49,7 +48,7 @@ public:
 
   /// Whether all of [Address, Address + Bytes) is global memory.
   bool contains(uint32_t Address, uint64_t Bytes) const {
-    return Address >= GlobalMemoryBegin && Bytes <= size() &&
+    return Address >= kGlobalMemoryBegin && Bytes <= size() &&
            Address <= size() - Bytes;
   }
 

@@ -104,8 +104,9 @@ std::optional<uint32_t> WindowCommit::hostCall(const GlobalAccess &Access,
     return 0;
   const uint8_t *Source = hostAddress(*Access.Owner, Access.Address, Bytes);
   if (!Source) {
-    Bad.Kind = Access.Address < GlobalMemoryBegin ? TrapKind::NullAccess
-                                                  : TrapKind::AddressOutOfRange;
+    Bad.Kind = Access.Address < kGlobalMemoryBegin
+                   ? TrapKind::NullAccess
+                   : TrapKind::AddressOutOfRange;
     Bad.Address = Access.Address;
     return std::nullopt;
   }

@@ -121,7 +121,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
   Context.TextBegin = Text.textBegin();
   Context.TextWords = uint32_t(Text.instructions().size());
   Context.ReadOnlyBytes = Text.readOnlyEnd() - Text.textBegin();
-  Context.GlobalBytes = uint32_t(Global.size() - GlobalMemoryBegin);
+  Context.GlobalBytes = uint32_t(Global.size() - kGlobalMemoryBegin);
   Context.LocalBegin = Local.Begin;
   Context.LocalBytes = Local.Size;
   Context.MemoryLatency = Chip.MemoryLatency;

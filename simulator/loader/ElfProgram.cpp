@@ -106,7 +106,7 @@ llvm::Error ElfProgram::readSegments() {
     if (Header.p_filesz > Header.p_memsz)
       return error("is damaged: the " + Name +
                    " is larger in the file than in memory");
-    if (S.Address < GlobalMemoryBegin)
+    if (S.Address < kGlobalMemoryBegin)
       return error("the " + Name +
                    " lies in the first 64 KiB, where every "
                    "access traps; link it with tpcc");

@@ -12,23 +12,24 @@
 #ifndef TP_LLVM_BACKEND_CLANG_LINK_MEMORYMAP_H
 #define TP_LLVM_BACKEND_CLANG_LINK_MEMORYMAP_H
 
+#include "runtime/include/tp/memory_map.h"
+
 #include <cstdint>
 
 namespace tp::memorymap {
 
 /// Accesses below trap; a program's text starts here.
-inline constexpr uint32_t GlobalBegin = 0x10000;
+inline constexpr uint32_t GlobalBegin = kGlobalMemoryBegin;
 
-/// The largest local store of any chip is 1 MiB: a program that ends below
-/// never meets it.
-inline constexpr uint64_t GlobalEnd = 0x100000000 - 0x100000;
+/// A program that ends below never meets the local store of any chip.
+inline constexpr uint64_t GlobalEnd = 0x100000000 - kLocalStoreBytesMax;
 
-/// thread_local objects end here. The 16 bytes above are reserved, so that a
-/// pointer past the end of an object does not wrap around to 0.
-inline constexpr uint32_t ThreadLocalEnd = 0xFFFFFFF0;
+/// thread_local objects end here.
+inline constexpr uint32_t ThreadLocalEnd = 0u - kLocalStoreReservedBytes;
 
 /// Thread_local objects take at most what the largest local store has.
-inline constexpr uint32_t ThreadLocalBytesMax = 0x100000 - 16;
+inline constexpr uint32_t ThreadLocalBytesMax =
+    kLocalStoreBytesMax - kLocalStoreReservedBytes;
 
 /// The stack pointer is a multiple of this at the start.
 inline constexpr uint32_t StackAlignment = 16;
