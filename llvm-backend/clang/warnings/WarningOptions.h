@@ -1,0 +1,81 @@
+//===- WarningOptions.h - Which -Wtp-fp warnings are on ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_LLVM_BACKEND_CLANG_WARNINGS_WARNINGOPTIONS_H
+#define TP_LLVM_BACKEND_CLANG_WARNINGS_WARNINGOPTIONS_H
+
+#include "llvm/ADT/StringRef.h"
+#include "llvm/Support/Error.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// A warning about floating point with a -W name of its own.
+enum class FloatingPointWarning {
+  FlagOrder,
+  IgnoredFlag,
+  NonFinite,
+  Conversion,
+  Comparator,
+  MixedInfinities
+};
+
+/// What a warning does to a compilation.
+enum class WarningLevel { Ignored, Warning, Error };
+
+/// The name of the plug-in that warns in the front end, and so of
+/// `-plugin-arg-tp-fp`, which hands it the user's -Wtp words.
+inline constexpr const char WarningPlugInName[] = "tp-fp";
+
+/// The -Wtp-fp words of a command line: `-Wtp-fp-<name>`, `-Wno-tp-fp-<name>`,
+/// `-Werror=tp-fp-<name>`, `-Wno-error=tp-fp-<name>` and the same for the group
+/// `tp-fp` of all. They combine as clang's do.
+class WarningOptions {
+public:
+  /// Whether \p Word sets one of these warnings (or, misspelt, tries to).
+  static bool isOwnWord(llvm::StringRef Word);
+
+  /// Reads a word for which isOwnWord() holds.
+  /// \returns an error if there is no warning of that name.
+  llvm::Error readOwnWord(llvm::StringRef Word);
+
+  /// Reads a word of clang's that concerns all warnings: `-Werror`, `-w`,
+  /// `-Wno-everything` and their opposites. Ignores any other.
+  void readGeneralWord(llvm::StringRef Word);
+
+  /// Takes over what -Werror and -w say, where only clang's diagnostics engine
+  /// knows.
+  void setGeneral(bool WarningsAreErrors, bool IgnoreWarnings) {
+    AllAreErrors = WarningsAreErrors;
+    IgnoreAll = IgnoreWarnings;
+  }
+
+  WarningLevel level(FloatingPointWarning Warning) const;
+
+  /// What ends the message of \p Warning: ` [-Wtp-fp-<name>]`, with `-Werror,`
+  /// before the name if the warning is an error.
+  std::string suffix(FloatingPointWarning Warning) const;
+
+private:
+  struct State {
+    bool IsEnabled = true;
+    bool IsError = false;
+    bool IsNeverError = false;
+  };
+  static constexpr size_t NumWarnings =
+      static_cast<size_t>(FloatingPointWarning::MixedInfinities) + 1;
+
+  std::array<State, NumWarnings> States;
+  bool AllAreErrors = false;
+  bool IgnoreAll = false;
+};
+
+} // namespace tp
+
+#endif // TP_LLVM_BACKEND_CLANG_WARNINGS_WARNINGOPTIONS_H
