@@ -5,6 +5,8 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/TPTargetMachine.h"
+#include "llvm-backend/FloatingPoint/FloatingPointOptions.h"
+#include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
 #include "llvm-backend/TP.h"
 #include "llvm-backend/TPBuiltinAttributes.h"
 #include "llvm-backend/TPDataLayout.h"
@@ -51,6 +53,8 @@ TPTargetMachine::TPTargetMachine(const Target &T, const Triple &TT,
           Reloc::Static, getEffectiveCodeModel(CM, CodeModel::Small), OptLevel),
       ObjectFileLowering(std::make_unique<TargetLoweringObjectFileELF>()) {
   this->Options.EnableCFIFixup = true;
+  if (isFloatingPointCanonicalizationEnabled())
+    this->Options.AllowFPOpFusion = FPOpFusion::Strict;
   initAsmInfo();
 }
 
@@ -84,6 +88,8 @@ MachineFunctionInfo *TPTargetMachine::createMachineFunctionInfo(
 }
 
 void TPTargetMachine::registerPassBuilderCallbacks(PassBuilder &PB) {
+  // First: they call builtins.
+  registerFloatingPointPasses(PB);
   auto AddAttributes = [](ModulePassManager &PM, auto...) {
     PM.addPass(TPBuiltinAttributesPass());
   };
