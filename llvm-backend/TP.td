@@ -20,6 +20,10 @@ def FeatureTrigonometry
     : SubtargetFeature<"trig", "HasTrigonometry", "true",
                        "The chip has the sin_s and cos_s instructions">;
 
+def FeatureFMA
+    : SubtargetFeature<"fma", "HasFMA", "true",
+                       "The chip has the fused multiply-add, madd_s">;
+
 include "TPRegisterInfo.td"
 include "TPSchedule.td"
 include "TPInstrFormats.td"

@@ -55,9 +55,10 @@ void TPTargetLowering::configureFloats() {
                       ISD::FMAXNUM, ISD::FMINIMUMNUM, ISD::FMAXIMUMNUM},
                      MVT::f32, Legal);
   setOperationAction(ISD::LRINT, MVT::f32, Legal);
-  // No fused multiply-add: fma is a function of the library.
+  // Without the instruction fma is a function of the library.
+  setOperationAction(ISD::FMA, MVT::f32, STI.hasFMA() ? Legal : Expand);
   setOperationAction(
-      {ISD::FMA, ISD::FSIN, ISD::FCOS, ISD::FSINCOS, ISD::FPOW, ISD::SELECT_CC},
+      {ISD::FSIN, ISD::FCOS, ISD::FSINCOS, ISD::FPOW, ISD::SELECT_CC},
       MVT::f32, Expand);
   setOperationAction({ISD::STRICT_FSETCC, ISD::STRICT_FSETCCS}, MVT::f32,
                      Legal);
@@ -123,6 +124,11 @@ EVT TPTargetLowering::getSetCCResultType(const DataLayout &,
   if (VT.isVector())
     return VT.changeVectorElementType(Context, MVT::i32);
   return MVT::i32;
+}
+
+bool TPTargetLowering::isFMAFasterThanFMulAndFAdd(const MachineFunction &,
+                                                  EVT VT) const {
+  return STI.hasFMA() && VT == MVT::f32;
 }
 
 bool TPTargetLowering::isFPImmLegal(const APFloat &, EVT VT, bool) const {

@@ -74,9 +74,8 @@ public:
   bool isCheapToSpeculateCtlz(Type *) const override { return true; }
   bool isCheapToSpeculateCttz(Type *) const override { return true; }
   bool isCtlzFast() const override { return true; }
-  bool isFMAFasterThanFMulAndFAdd(const MachineFunction &, EVT) const override {
-    return false;
-  }
+  bool isFMAFasterThanFMulAndFAdd(const MachineFunction &,
+                                  EVT VT) const override;
   bool shouldConvertConstantLoadToIntImm(const APInt &Imm,
                                          Type *Ty) const override {
     return Ty->isIntegerTy() && Imm.getBitWidth() <= 32;

@@ -244,6 +244,21 @@ class FormatConditionalMove<bits<6> funct, RegisterClass valueClass,
   let c = rt;
 }
 
+// op rd, rs, rt where rd's old value is the third operand; floats only.
+class FormatAccumulate<bits<6> funct, string mnemonic, list<dag> pattern,
+                       TPLatencyClass latencyClass, string action>
+    : FormatR<OpFloat, funct, (outs FPR:$rd),
+              (ins FPR:$rdold, FPR:$rs, FPR:$rt), mnemonic, "$rd, $rs, $rt",
+              pattern, latencyClass, action> {
+  bits<5> rd;
+  bits<5> rs;
+  bits<5> rt;
+  let Constraints = "$rd = $rdold";
+  let a = rd;
+  let b = rs;
+  let c = rt;
+}
+
 // op rd, rt(rs): address rs + rt               a = rd, b = rs, c = rt
 class FormatLoadIndexed<bits<6> funct, RegisterClass valueClass,
                         string mnemonic, string action>

@@ -246,6 +246,14 @@ def COS_S : FloatRR<11, "cos_s", TPCos, FpTrig,
                     "rd = cosine of rs, within 1 ulp">;
 }
 
+// The sum is the register that the result replaces. An addend that is still
+// needed costs a mov_s; signs are neg_s.
+let Predicates = [Predicate<"Subtarget->hasFMA()">] in
+def MADD_S : FormatAccumulate<19, "madd_s",
+    [(set (f32 FPR:$rd),
+          (any_fma (f32 FPR:$rs), (f32 FPR:$rt), (f32 FPR:$rdold)))],
+    FpMulAdd, "rd = rs * rt + rd, rounded once">;
+
 def ABS_S : FloatRR<12, "abs_s", fabs, Bitwise, "rd = rs without its sign">;
 def NEG_S : FloatRR<13, "neg_s", fneg, Bitwise, "rd = rs with its sign flipped">;
 def MOV_S : FormatRR<OpFloat, 14, FPR, FPR, "mov_s", [], Bitwise, "rd = rs">;

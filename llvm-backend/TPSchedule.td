@@ -63,6 +63,9 @@ defm IntDiv : TPLatency<FPINV, 16, "assumption: the divider's line, as for float
 defm Bitwise : TPLatency<BITWISE, 1, SimTRaX>;
 defm FpAdd : TPLatency<FPADD, 2, SimTRaX>;
 defm FpMul : TPLatency<FPMUL, 2, SimTRaX>;
+// Its own class because a chip with the instruction has an adder behind its
+// multiplier: the sum is ready as late as that of mul_s and add_s in a row.
+defm FpMulAdd : TPLatency<FPMUL, 4, "assumption: multiply, then add">;
 defm FpMin : TPLatency<FPMIN, 1, SimTRaX>;
 defm FpCmp : TPLatency<FPCMP, 1, SimTRaX>;
 defm FpInv : TPLatency<FPINV, 16, SimTRaX>;

@@ -22,6 +22,7 @@ namespace llvm {
 /// of the code generator that depend on them.
 class TPSubtarget : public TPGenSubtargetInfo {
   bool HasTrigonometry = false;
+  bool HasFMA = false;
 
   TPInstrInfo InstrInfo;
   TPFrameLowering FrameLowering;
@@ -34,6 +35,9 @@ public:
 
   /// Whether the chip has sin_s and cos_s.
   bool hasTrigonometry() const { return HasTrigonometry; }
+
+  /// Whether the chip has madd_s.
+  bool hasFMA() const { return HasFMA; }
 
   const TPInstrInfo *getInstrInfo() const override { return &InstrInfo; }
   const TPRegisterInfo *getRegisterInfo() const override {

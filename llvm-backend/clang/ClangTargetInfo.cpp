@@ -17,6 +17,7 @@ using namespace llvm;
 namespace tp {
 
 static constexpr const char Trigonometry[] = "trig";
+static constexpr const char FusedMultiplyAdd[] = "fma";
 static constexpr const char GenericCpu[] = "generic";
 
 //===----------------------------------------------------------------------===//
@@ -85,6 +86,10 @@ void ClangTargetInfo::getTargetDefines(const LangOptions &Options,
   Builder.defineMacro("__ELF__");
   if (HasTrigonometry)
     Builder.defineMacro("__TP_TRIG__");
+  if (HasFusedMultiplyAdd) {
+    Builder.defineMacro("__TP_FMA__");
+    Builder.defineMacro("__FP_FAST_FMAF");
+  }
   for (const char *Width : {"1", "2", "4"})
     Builder.defineMacro(Twine("__GCC_HAVE_SYNC_COMPARE_AND_SWAP_") + Width);
 }
@@ -107,7 +112,7 @@ bool ClangTargetInfo::setCPU(const std::string &Name) {
 }
 
 bool ClangTargetInfo::isValidFeatureName(StringRef Name) const {
-  return Name == Trigonometry;
+  return Name == Trigonometry || Name == FusedMultiplyAdd;
 }
 
 bool ClangTargetInfo::initFeatureMap(
@@ -121,11 +126,14 @@ bool ClangTargetInfo::handleTargetFeatures(std::vector<std::string> &Features,
                                            DiagnosticsEngine &Diags) {
   HasTrigonometry =
       llvm::is_contained(Features, std::string("+") + Trigonometry);
+  HasFusedMultiplyAdd =
+      llvm::is_contained(Features, std::string("+") + FusedMultiplyAdd);
   return true;
 }
 
 bool ClangTargetInfo::hasFeature(StringRef Name) const {
-  return Name == "tp" || (Name == Trigonometry && HasTrigonometry);
+  return Name == "tp" || (Name == Trigonometry && HasTrigonometry) ||
+         (Name == FusedMultiplyAdd && HasFusedMultiplyAdd);
 }
 
 //===----------------------------------------------------------------------===//

@@ -51,6 +51,7 @@ public:
 
 private:
   bool HasTrigonometry = true;
+  bool HasFusedMultiplyAdd = false;
 };
 
 /// Makes the target description that a compilation with \p Options uses;

@@ -138,3 +138,10 @@ movz_s f17, f2, r31
 movz_s f31, f16, r1
 # CHECK: movz_s f10, f13, r4 # encoding: [0x12,0x20,0x4d,0x05]
 movz_s f10, f13, r4
+
+# CHECK: madd_s f17, f2, f31 # encoding: [0x13,0xf8,0x22,0x06]
+madd_s f17, f2, f31
+# CHECK: madd_s f31, f16, f1 # encoding: [0x13,0x08,0xf0,0x07]
+madd_s f31, f16, f1
+# CHECK: madd_s f10, f13, f4 # encoding: [0x13,0x20,0x4d,0x05]
+madd_s f10, f13, f4

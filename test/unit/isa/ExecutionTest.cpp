@@ -47,11 +47,10 @@ std::vector<int64_t> edgesOf(const OperandInfo &Info) {
   return {0, 1, 2, 0xFF, 0x1234, 0x7FFF, 0x8000, 0xFFFF};
 }
 
-/// All combinations of edge values for the operands that are read.
-std::vector<Inputs> combinations(Opcode Op) {
-  std::vector<Inputs> Result;
-  for (uint32_t Old : {0xA5A5A5A5u, 0x3F800000u})
-    Result.push_back({0, 0, Old, 0, 0});
+/// All combinations of edge values for the operands that are read, with the
+/// destination's value before.
+std::vector<Inputs> combinations(Opcode Op, uint32_t Old) {
+  std::vector<Inputs> Result = {{0, 0, Old, 0, 0}};
   unsigned Immediates = 0;
   for (const OperandInfo &Info : operandsOf(Op)) {
     if (Info.IsDestination)
@@ -119,7 +118,8 @@ uint32_t flush(uint32_t Bits) {
   return (Bits & 0x7F800000) == 0 ? Bits & 0x80000000 : Bits;
 }
 
-void checkValues(Opcode Op, const ValueCase &Case, bool FlushToZero) {
+void checkValues(Opcode Op, const ValueCase &Case, uint32_t Old,
+                 bool FlushToZero) {
   ChipConfig Chip = quietChip(1, 1);
   Chip.FlushToZero = FlushToZero;
   bool FloatSources = false, FloatResult = false;
@@ -130,10 +130,10 @@ void checkValues(Opcode Op, const ValueCase &Case, bool FlushToZero) {
   Assembly A;
   A.constant(Results, DataBegin);
   std::vector<std::pair<Inputs, uint32_t>> Expectations;
-  for (const Inputs &In : combinations(Op)) {
+  for (const Inputs &In : combinations(Op, Old)) {
     Inputs Seen = In;
     if (FlushToZero && Case.Flushes && FloatSources)
-      Seen.Rs = flush(In.Rs), Seen.Rt = flush(In.Rt);
+      Seen.Rs = flush(In.Rs), Seen.Rt = flush(In.Rt), Seen.Old = flush(In.Old);
     std::optional<uint32_t> Expected = Case.Expected(Seen);
     if (!Expected) {
       Assembly Trapping;
@@ -176,8 +176,12 @@ TEST_P(Execution, MatchesTheIndependentComputation) {
   ASSERT_NE(Case, allCases().end())
       << mnemonic(Op) << " has no entry in the tables of test/unit/isa";
   if (auto *Values = std::get_if<ValueCase>(&Case->second)) {
-    checkValues(Op, *Values, false);
-    checkValues(Op, *Values, true);
+    std::vector<uint32_t> OldValues = {0xA5A5A5A5, 0x3F800000};
+    if (Values->Accumulates)
+      OldValues.assign(std::begin(FloatEdges), std::end(FloatEdges));
+    for (uint32_t Old : OldValues)
+      for (bool FlushToZero : {false, true})
+        checkValues(Op, *Values, Old, FlushToZero);
   } else {
     std::get<std::function<void()>>(Case->second)();
   }

@@ -51,6 +51,22 @@ uint32_t extreme(uint32_t A, uint32_t B, bool Larger) {
   return (Key(A) < Key(B)) != Larger ? A : B;
 }
 
+/// A * B + C, rounded once. The product is exact in 113 bits; a sum that is not
+/// is rounded to odd, so that the rounding to float sees on which side of a tie
+/// it lies.
+float multiplyAdd(float A, float B, float C) {
+  Quad Product = Quad(A) * Quad(B);
+  Quad Sum = Product + Quad(C);
+  auto Bits = std::bit_cast<unsigned __int128>(Sum);
+  Quad Added = Sum - Product;
+  Quad Error = (Product - (Sum - Added)) + (Quad(C) - Added);
+  // An infinite sum has the error NaN.
+  if (!(Error < 0 || Error > 0) || Bits & 1)
+    return float(Sum);
+  bool Outward = (Error > 0) == (Sum > 0);
+  return float(std::bit_cast<Quad>(Outward ? Bits + 1 : Bits - 1));
+}
+
 enum class Rounding { Zero, Nearest, Down, Up };
 
 /// Rounds a finite double that is a float to an integer by looking at its
@@ -94,10 +110,11 @@ void addFloatCases(InstructionCases &Cases) {
   auto Arithmetic = [&](const char *Mnemonic, auto Function,
                         uint32_t Ulps = 0) {
     Cases[Mnemonic] =
-        ValueCase{[=](const Inputs &In) -> std::optional<uint32_t> {
+        ValueCase{.Expected = [=](const Inputs &In) -> std::optional<uint32_t> {
                     return asBits(Function(asFloat(In.Rs), asFloat(In.Rt)));
                   },
-                  true, Ulps};
+                  .Flushes = true,
+                  .Ulps = Ulps};
   };
   Arithmetic("add_s",
              [](float A, float B) { return float(Quad(A) + Quad(B)); });
@@ -107,6 +124,13 @@ void addFloatCases(InstructionCases &Cases) {
              [](float A, float B) { return float(Quad(A) * Quad(B)); });
   Arithmetic("div_s",
              [](float A, float B) { return float(Quad(A) / Quad(B)); });
+  Cases["madd_s"] =
+      ValueCase{.Expected = [](const Inputs &In) -> std::optional<uint32_t> {
+                  return asBits(multiplyAdd(asFloat(In.Rs), asFloat(In.Rt),
+                                            asFloat(In.Old)));
+                },
+                .Flushes = true,
+                .Accumulates = true};
   Arithmetic("rcp_s", [](float A, float) { return float(Quad(1) / Quad(A)); });
   Arithmetic("sqrt_s", [](float A, float) {
     return float(std::sqrt(static_cast<long double>(A)));
@@ -131,10 +155,10 @@ void addFloatCases(InstructionCases &Cases) {
 
   auto Value = [&](const char *Mnemonic, auto Function, bool Flushes = true) {
     Cases[Mnemonic] =
-        ValueCase{[=](const Inputs &In) -> std::optional<uint32_t> {
+        ValueCase{.Expected = [=](const Inputs &In) -> std::optional<uint32_t> {
                     return uint32_t(Function(In));
                   },
-                  Flushes};
+                  .Flushes = Flushes};
   };
   Value("min_s", [](auto &In) { return extreme(In.Rs, In.Rt, false); });
   Value("max_s", [](auto &In) { return extreme(In.Rs, In.Rt, true); });

@@ -41,6 +41,8 @@ struct ValueCase {
   std::function<std::optional<uint32_t>(const Inputs &)> Expected;
   /// Arithmetic: chips that flush to zero flush its operands and result.
   bool Flushes = false;
+  /// The destination is an operand of the arithmetic too.
+  bool Accumulates = false;
   /// Distance that a float result may have from the expected one.
   uint32_t Ulps = 0;
 };
