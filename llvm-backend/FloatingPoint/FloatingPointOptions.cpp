@@ -44,6 +44,10 @@ static SharedOption<std::string>
     Scope("tp-fp-scope", cl::value_desc("file"),
           cl::desc("Keep fast-math flags only where the file says"));
 
+static SharedOption<std::string>
+    ScopeList("tp-fp-scope-list", cl::value_desc("file"),
+              cl::desc("Append to the file what fast-math flags there are"));
+
 static SharedOption<bool>
     Check("tp-fp-check", cl::init(false),
           cl::desc("Trap on invalid floating-point values"));
@@ -53,5 +57,7 @@ bool llvm::isFloatingPointCanonicalizationEnabled() {
 }
 
 StringRef llvm::getFloatingPointScopeFile() { return Scope.get(); }
+
+StringRef llvm::getFloatingPointScopeListFile() { return ScopeList.get(); }
 
 bool llvm::isFloatingPointCheckEnabled() { return Check.get(); }

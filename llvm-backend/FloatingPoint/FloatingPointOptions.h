@@ -18,6 +18,10 @@ bool isFloatingPointCanonicalizationEnabled();
 /// (-tp-fp-scope=); empty means all do.
 StringRef getFloatingPointScopeFile();
 
+/// The file that gets the list of what such a file can name
+/// (-tp-fp-scope-list=); empty means none does.
+StringRef getFloatingPointScopeListFile();
+
 /// Whether the checked mode is on (-tp-fp-check).
 bool isFloatingPointCheckEnabled();
 

@@ -6,16 +6,19 @@
 
 #include "llvm-backend/FloatingPoint/FloatingPointOptions.h"
 #include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
+#include "llvm-backend/FloatingPoint/Scope.h"
 #include "llvm/Plugins/PassPlugin.h"
 #include "llvm/Target/TargetMachine.h"
 
 using namespace llvm;
 
 // The code generator must not fuse what the canonicalizer has left apart.
-static bool forbidFusion(Module &, TargetMachine &Machine, CodeGenFileType,
+static bool forbidFusion(Module &M, TargetMachine &Machine, CodeGenFileType,
                          raw_pwrite_stream &) {
   if (isFloatingPointCanonicalizationEnabled())
     Machine.Options.AllowFPOpFusion = FPOpFusion::Strict;
+  else if (isPartlyStrict(M))
+    Machine.Options.AllowFPOpFusion = FPOpFusion::Standard;
   return false;
 }
 
