@@ -17,6 +17,7 @@
 #include "llvm/MC/TargetRegistry.h"
 #include "llvm/Object/ModuleSymbolTable.h"
 #include "llvm/Passes/PassBuilder.h"
+#include "llvm/Passes/StandardInstrumentations.h"
 #include "llvm/Target/TargetMachine.h"
 #include "llvm/Target/TargetOptions.h"
 #include "llvm/Transforms/IPO/GlobalDCE.h"
@@ -185,7 +186,13 @@ void WholeProgram::optimize(OptimizationLevel Level, TargetMachine &Machine) {
   FunctionAnalysisManager Functions;
   CGSCCAnalysisManager CallGraphs;
   ModuleAnalysisManager Modules;
-  PassBuilder Builder(&Machine);
+  // Options that print passes, or count and skip them, work as in clang.
+  PassInstrumentationCallbacks Callbacks;
+  StandardInstrumentations Instrumentations(Program->getContext(),
+                                            /*DebugLogging=*/false);
+  Instrumentations.registerCallbacks(Callbacks, &Modules);
+  PassBuilder Builder(&Machine, PipelineTuningOptions(), std::nullopt,
+                      &Callbacks);
   Builder.registerModuleAnalyses(Modules);
   Builder.registerCGSCCAnalyses(CallGraphs);
   Builder.registerFunctionAnalyses(Functions);
