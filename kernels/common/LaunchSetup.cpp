@@ -6,7 +6,6 @@
 
 #include "kernels/common/LaunchSetup.h"
 
-#include "kernels/common/SceneFlattener.h"
 #include "kernels/common/SceneLayout.h"
 
 #include <algorithm>
@@ -50,10 +49,24 @@ Status parseImageSize(std::string_view Text, RenderOptions &Options) {
                "' is not of the form WIDTHxHEIGHT, as in 256x256"};
 }
 
+Status parseBvhOrigin(std::string_view Text, RenderOptions &Options) {
+  if (Text != "host" && Text != "kernel")
+    return Error{"--bvh: '" + std::string(Text) +
+                 "' is neither 'host' nor 'kernel'"};
+  Options.Bvh = Text == "host" ? BvhOrigin::Host : BvhOrigin::Kernel;
+  return success();
+}
+
 ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,
                                  const RenderOptions &Options,
                                  uint32_t ThreadCount, LaunchMemory &Memory) {
-  const std::vector<uint8_t> Block = flattenScene(Source);
+  if (Options.Bvh == BvhOrigin::Kernel &&
+      Source.Triangles.size() > kMaxWorkspaceTriangles)
+    return Error{"--bvh: a kernel builds trees of at most " +
+                 std::to_string(kMaxWorkspaceTriangles) +
+                 " triangles; the scene has " +
+                 std::to_string(Source.Triangles.size())};
+  const std::vector<uint8_t> Block = flattenScene(Source, Options.Bvh);
   const size_t PixelBytes =
       size_t(Options.Width) * Options.Height * sizeof(uint32_t);
   LaunchBlock Launch{};

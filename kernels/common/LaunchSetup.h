@@ -13,6 +13,7 @@
 #ifndef TP_KERNELS_COMMON_LAUNCHSETUP_H
 #define TP_KERNELS_COMMON_LAUNCHSETUP_H
 
+#include "kernels/common/SceneFlattener.h"
 #include "scenes/ErrorOr.h"
 #include "scenes/image/Image.h"
 #include "scenes/loader/Scene.h"
@@ -48,6 +49,7 @@ struct RenderOptions {
   /// Surfaces that a path visits: 1 is primary rays with their shadow rays.
   uint32_t MaxDepth = 1;
   uint32_t Seed = 1;
+  BvhOrigin Bvh = BvhOrigin::Host;
 };
 
 inline constexpr uint32_t kMaxImageSide = 16384;
@@ -61,6 +63,10 @@ Status checkRenderOptions(const RenderOptions &Options);
 /// Reads `WIDTHxHEIGHT` into \p Options; fails, naming `--size`, if \p Text is
 /// not that or out of limits.
 Status parseImageSize(std::string_view Text, RenderOptions &Options);
+
+/// Reads `host` or `kernel` into \p Options; fails, naming `--bvh`, if \p Text
+/// is neither.
+Status parseBvhOrigin(std::string_view Text, RenderOptions &Options);
 
 /// Places everything that a rendering kernel needs on \p ThreadCount threads
 /// and returns a launch block with the version, the scene, the framebuffer, the

@@ -16,6 +16,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace tp {
 
@@ -120,30 +121,68 @@ static CameraRecord makeCamera(const Camera &Source) {
           Source.Forward};
 }
 
-std::vector<uint8_t> flattenScene(const Scene &Source) {
-  const uint32_t Count = uint32_t(Source.Triangles.size());
-  const float Largest = largestCoordinate(Source);
-  // The slab test's subtraction and multiplication err by less than 2^-22 of
-  // the largest coordinate; a few times that makes it miss nothing.
-  const std::vector<BoundingBox> Boxes =
-      boundTriangles(Source, Largest * 0x1p-20f);
-  std::vector<uint32_t> Order(Count);
-  std::vector<BvhNode> Nodes(Count - 1);
-  BvhStorage Storage{Boxes.data(), Count, Order.data(), Nodes.data(), 0};
-  SceneHeader Header{};
-  const BvhReference BinaryRoot = buildBvh(Storage);
-  std::vector<WideBvhNode> WideNodes(Storage.NodeCount);
-  WideBvhStorage WideStorage{Nodes.data(), WideNodes.data(), 0};
-  Header.Root = widenBvh(WideStorage, BinaryRoot);
-  WideNodes.resize(WideStorage.WideNodeCount);
-
+static std::vector<TriangleRecord>
+makeTriangles(const Scene &Source, const std::vector<uint32_t> &Order) {
   std::vector<TriangleRecord> Triangles;
-  Triangles.reserve(Count);
+  Triangles.reserve(Order.size());
   for (uint32_t Number : Order) {
     const Triangle &Shape = Source.Triangles[Number];
     Triangles.push_back(
         makeTriangle(Shape, Source.Materials[Shape.Material].BaseColor));
   }
+  return Triangles;
+}
+
+/// Appends the tree and the triangles in its order.
+static void appendTree(const Scene &Source,
+                       const std::vector<BoundingBox> &Boxes,
+                       SceneHeader &Header, BlockWriter &Block) {
+  const uint32_t Count = uint32_t(Boxes.size());
+  std::vector<uint32_t> Order(Count);
+  std::vector<BvhNode> Nodes(Count - 1);
+  BvhStorage Storage{Boxes.data(), Count, Order.data(), Nodes.data(), 0};
+  const BvhReference BinaryRoot = buildBvh(Storage);
+  std::vector<WideBvhNode> WideNodes(Storage.NodeCount);
+  WideBvhStorage WideStorage{Nodes.data(), WideNodes.data(), 0};
+  Header.Root = widenBvh(WideStorage, BinaryRoot);
+  WideNodes.resize(WideStorage.WideNodeCount);
+  Header.NodesOffset = Block.append(WideNodes);
+  Header.NodeCount = uint32_t(WideNodes.size());
+  Header.TrianglesOffset = Block.append(makeTriangles(Source, Order));
+}
+
+/// Appends what a kernel needs to do the work of appendTree().
+static void appendWorkspace(const Scene &Source,
+                            const std::vector<BoundingBox> &Boxes,
+                            SceneHeader &Header, BlockWriter &Block) {
+  const uint32_t Count = uint32_t(Boxes.size());
+  std::vector<uint32_t> Order(Count);
+  std::iota(Order.begin(), Order.end(), 0);
+  Header.Root = kNoBvh;
+  Header.NodesOffset = Block.append(std::vector<WideBvhNode>(Count - 1));
+  Header.TrianglesOffset = Block.append(std::vector<TriangleRecord>(Count));
+  BvhWorkspace Workspace{};
+  Workspace.SourcesOffset = Block.append(makeTriangles(Source, Order));
+  Workspace.BoxesOffset = Block.append(Boxes);
+  Workspace.OrderOffset = Block.append(std::vector<uint32_t>(Count));
+  Workspace.BinaryNodesOffset = Block.append(std::vector<BvhNode>(Count - 1));
+  Workspace.BinaryRoot = kNoBvh;
+  Header.WorkspaceOffset = Block.append(std::vector<BvhWorkspace>{Workspace});
+}
+
+std::vector<uint8_t> flattenScene(const Scene &Source, BvhOrigin Origin) {
+  const float Largest = largestCoordinate(Source);
+  // The slab test's subtraction and multiplication err by less than 2^-22 of
+  // the largest coordinate; a few times that makes it miss nothing.
+  const std::vector<BoundingBox> Boxes =
+      boundTriangles(Source, Largest * 0x1p-20f);
+  SceneHeader Header{};
+  BlockWriter Block;
+  if (Origin == BvhOrigin::Kernel)
+    appendWorkspace(Source, Boxes, Header, Block);
+  else
+    appendTree(Source, Boxes, Header, Block);
+
   std::vector<MaterialRecord> Materials;
   Materials.reserve(Source.Materials.size());
   for (const Material &Surface : Source.Materials)
@@ -153,12 +192,8 @@ std::vector<uint8_t> flattenScene(const Scene &Source) {
   Lights.Records.resize(std::max<size_t>(Lights.Records.size(), 1));
   Lights.Choices.resize(Lights.Records.size());
 
-  BlockWriter Block;
   Header.Version = kSceneVersion;
-  Header.NodesOffset = Block.append(WideNodes);
-  Header.NodeCount = uint32_t(WideNodes.size());
-  Header.TrianglesOffset = Block.append(Triangles);
-  Header.TriangleCount = Count;
+  Header.TriangleCount = uint32_t(Source.Triangles.size());
   Header.MaterialsOffset = Block.append(Materials);
   Header.MaterialCount = uint32_t(Materials.size());
   Header.LightsOffset = Block.append(Lights.Records);

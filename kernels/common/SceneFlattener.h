@@ -14,9 +14,14 @@
 
 namespace tp {
 
-/// The scene as SceneLayout.h describes it, with its BVH. The block must be
-/// placed at a multiple of kSceneAlignment.
-std::vector<uint8_t> flattenScene(const Scene &Source);
+/// Who builds a scene's BVH: the host before the start, or the kernel, in the
+/// scene's BvhWorkspace.
+enum class BvhOrigin : uint8_t { Host, Kernel };
+
+/// The scene as SceneLayout.h describes it, with its BVH or a BvhWorkspace. The
+/// block must be placed at a multiple of kSceneAlignment.
+std::vector<uint8_t> flattenScene(const Scene &Source,
+                                  BvhOrigin Origin = BvhOrigin::Host);
 
 } // namespace tp
 

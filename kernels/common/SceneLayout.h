@@ -29,6 +29,8 @@ inline constexpr uint32_t kMaxLeafTriangles = 15;
 /// So that a scene with its tree and, if all triangles shine, its lights fits
 /// in a 32-bit address space.
 inline constexpr uint32_t kMaxBvhTriangles = 1u << 24;
+/// So that a scene with the BvhWorkspace of its kernel fits there, too.
+inline constexpr uint32_t kMaxWorkspaceTriangles = 1u << 23;
 /// Inner nodes on the way from the root to any leaf, at most.
 inline constexpr uint32_t kMaxBvhDepth = 40;
 
@@ -42,6 +44,9 @@ constexpr uint32_t leafFirst(BvhReference Leaf) {
   return (Leaf & 0x7FFFFFFFu) >> 4;
 }
 constexpr uint32_t leafCount(BvhReference Leaf) { return Leaf & 15u; }
+
+/// The root of a tree that nobody has built: a leaf without triangles.
+inline constexpr BvhReference kNoBvh = leafReference(0, 0);
 
 inline constexpr uint32_t kWideBvhWidth = 4;
 
@@ -147,7 +152,28 @@ struct SceneHeader {
   /// Area of all lights / pi: the factor between the integrand at a uniformly
   /// chosen light point and the light reflected by a white surface.
   float LightScale;
-  uint32_t Reserved[6];
+  /// The BvhWorkspace of a scene whose tree the kernel builds; 0 if the host
+  /// has built it.
+  uint32_t WorkspaceOffset;
+  uint32_t Reserved[5];
+};
+
+/// What a kernel that builds the tree finds, and where it leaves the result.
+/// The arrays at NodesOffset and TrianglesOffset of the header are zero then,
+/// with room for TriangleCount - 1 nodes and all triangles; the kernel fills
+/// them and sets NodeCount and Root, which until then is kNoBvh.
+struct BvhWorkspace {
+  /// The triangles in the order of the file, and their boxes (BoundingBox).
+  uint32_t SourcesOffset;
+  uint32_t BoxesOffset;
+  /// One uint32_t per triangle: which source each triangle of the scene is.
+  uint32_t OrderOffset;
+  /// Room for TriangleCount - 1 nodes of the binary tree (BvhNode).
+  uint32_t BinaryNodesOffset;
+  /// Results, as BinaryNodesOffset's nodes are.
+  uint32_t BinaryNodeCount;
+  BvhReference BinaryRoot;
+  uint32_t Reserved[2];
 };
 
 inline constexpr uint32_t kSceneVersion = 1;
@@ -155,7 +181,8 @@ inline constexpr uint32_t kSceneAlignment = 128;
 
 static_assert(sizeof(WideBvhNode) == 128 && sizeof(TriangleRecord) == 64 &&
                   sizeof(LightRecord) == 64 && sizeof(MaterialRecord) == 16 &&
-                  sizeof(LightChoice) == 8 && sizeof(SceneHeader) == 128,
+                  sizeof(LightChoice) == 8 && sizeof(SceneHeader) == 128 &&
+                  sizeof(BvhWorkspace) == 32,
               "host and TP share one layout");
 static_assert(__builtin_offsetof(WideBvhNode, Child) == 96 &&
                   __builtin_offsetof(SceneHeader, Camera) == 48 &&

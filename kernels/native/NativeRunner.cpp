@@ -4,6 +4,9 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "kernels/native/NativeRunner.h"
+
+#include "kernels/common/BuiltBvh.h"
 #include "kernels/native/HostMemory.h"
 #include "kernels/native/RunnerOptions.h"
 #include "scenes/image/PngWriter.h"
@@ -15,17 +18,14 @@
 #include <cstring>
 #include <numeric>
 
-/// The kernel's `main`, compiled with -Dmain=tpKernelMain.
-int tpKernelMain();
+namespace tp {
 
-using namespace tp;
-
-static const char *baseName(const char *Path) {
+const char *baseName(const char *Path) {
   const char *Slash = std::strrchr(Path, '/');
   return Slash ? Slash + 1 : Path;
 }
 
-static int fail(const char *Program, const std::string &Message) {
+int fail(const char *Program, const std::string &Message) {
   std::fprintf(stderr, "%s: error: %s\n", Program, Message.c_str());
   return 1;
 }
@@ -36,14 +36,14 @@ static void reportSpeed(uint64_t Rays, double Seconds) {
                Rays, Seconds, double(Rays) / Seconds / 1e6);
 }
 
-int main(int ArgumentCount, char **Arguments) {
-  const char *Program = baseName(Arguments[0]);
+int runNatively(int (*KernelMain)(), const char *Program,
+                const std::string &Usage, int ArgumentCount, char **Arguments) {
   const ErrorOr<RunnerOptions> Options =
       parseRunnerOptions(ArgumentCount, Arguments);
   if (!Options)
     return fail(Program, Options.message());
   if (Options->Help) {
-    std::fputs(runnerUsage(Program).c_str(), stdout);
+    std::fputs(runnerUsage(Usage).c_str(), stdout);
     return 0;
   }
 
@@ -60,7 +60,7 @@ int main(int ArgumentCount, char **Arguments) {
     return fail(Program, Launch.message());
 
   const auto Start = std::chrono::steady_clock::now();
-  if (const int Status = runOnHost(tpKernelMain, Options->Threads, *Launch))
+  if (const int Status = runOnHost(KernelMain, Options->Threads, *Launch))
     return Status;
   const std::chrono::duration<double> Elapsed =
       std::chrono::steady_clock::now() - Start;
@@ -69,6 +69,13 @@ int main(int ArgumentCount, char **Arguments) {
   reportSpeed(std::accumulate(Counts.begin(), Counts.end(), uint64_t(0)),
               Elapsed.count());
 
+  if (Options->Render.Bvh == BvhOrigin::Kernel) {
+    const ErrorOr<std::string> Tree =
+        checkBuiltBvh(*Launch, Memory, Options->BvhOutputPath);
+    if (!Tree)
+      return fail(Program, Tree.message());
+    std::fprintf(stderr, "%s\n", Tree->c_str());
+  }
   if (Options->OutputPath.empty())
     return 0;
   const Image Picture = readFramebuffer(*Launch, Memory);
@@ -76,3 +83,5 @@ int main(int ArgumentCount, char **Arguments) {
     return fail(Program, Written.message());
   return 0;
 }
+
+} // namespace tp

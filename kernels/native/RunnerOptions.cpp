@@ -25,6 +25,8 @@ std::string runnerUsage(const std::string &Program) {
          "  --depth N            surfaces that a path visits; 1: primary and\n"
          "                       shadow rays (1)\n"
          "  --seed N             seed of the random numbers (1)\n"
+         "  --bvh host|kernel    who builds the BVH (host)\n"
+         "  --bvh-output FILE    where to write the BVH that the kernel built\n"
          "  --threads N          host threads (one per processor)\n"
          "  -o FILE              PNG to write (none)\n";
 }
@@ -41,13 +43,25 @@ static Status parseNumber(const char *Option, const char *Text,
 
 ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
                                           char *const *Arguments) {
-  enum { Scene = 256, Size, Samples, Depth, Seed, Threads, Help };
+  enum {
+    Scene = 256,
+    Size,
+    Samples,
+    Depth,
+    Seed,
+    Bvh,
+    BvhOutput,
+    Threads,
+    Help
+  };
   static const option LongOptions[] = {
       {"scene", required_argument, nullptr, Scene},
       {"size", required_argument, nullptr, Size},
       {"spp", required_argument, nullptr, Samples},
       {"depth", required_argument, nullptr, Depth},
       {"seed", required_argument, nullptr, Seed},
+      {"bvh", required_argument, nullptr, Bvh},
+      {"bvh-output", required_argument, nullptr, BvhOutput},
       {"threads", required_argument, nullptr, Threads},
       {"help", no_argument, nullptr, Help},
       {nullptr, 0, nullptr, 0}};
@@ -76,6 +90,12 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
     case Seed:
       Parsed = parseNumber("--seed", optarg, Options.Render.Seed);
       break;
+    case Bvh:
+      Parsed = parseBvhOrigin(optarg, Options.Render);
+      break;
+    case BvhOutput:
+      Options.BvhOutputPath = optarg;
+      break;
     case Threads:
       Parsed = parseNumber("--threads", optarg, Options.Threads);
       if (Parsed && (Options.Threads < 1 || Options.Threads > MaxThreads))
@@ -99,6 +119,9 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
                      "'"};
       if (Options.ScenePath.empty())
         return Error{"no scene; name one with --scene FILE"};
+      if (!Options.BvhOutputPath.empty() &&
+          Options.Render.Bvh != BvhOrigin::Kernel)
+        return Error{"--bvh-output has no meaning without --bvh kernel"};
       if (Status Checked = checkRenderOptions(Options.Render); !Checked)
         return Checked.takeError();
       return Options;

@@ -24,9 +24,11 @@ struct RunnerOptions {
   unsigned Threads = 1;
   /// PNG to write; none if empty.
   std::string OutputPath;
+  /// File for the tree that the kernel built; none if empty.
+  std::string BvhOutputPath;
 };
 
-/// The text of `--help`.
+/// The text of `--help`. \p Program is how the command line begins.
 std::string runnerUsage(const std::string &Program);
 
 /// Reads the command line. Fails, naming the option, if it is unknown, lacks

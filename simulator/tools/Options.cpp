@@ -114,7 +114,8 @@ private:
     Result.Scene = Arguments.getLastArgValue(OPT_scene).str();
     Result.ImageOutput = Arguments.getLastArgValue(OPT_o).str();
     if (!Arguments.hasArg(OPT_scene))
-      for (OptionId Id : {OPT_o, OPT_size, OPT_spp, OPT_depth, OPT_seed})
+      for (OptionId Id : {OPT_o, OPT_size, OPT_spp, OPT_depth, OPT_seed,
+                          OPT_bvh, OPT_bvh_output})
         if (const Arg *Argument = Arguments.getLastArg(Id))
           error(Argument->getSpelling().rtrim('=') +
                 " has no meaning without --scene; give the scene to render");
@@ -132,6 +133,16 @@ private:
     if (const Arg *Size = Arguments.getLastArg(OPT_size))
       if (Status S = parseImageSize(Size->getValue(), Rendering); !S)
         error(S.message());
+    if (const Arg *Builder = Arguments.getLastArg(OPT_bvh))
+      if (Status S = parseBvhOrigin(Builder->getValue(), Rendering); !S)
+        error(S.message());
+    Result.BvhOutput = Arguments.getLastArgValue(OPT_bvh_output).str();
+    if (Arguments.hasArg(OPT_bvh_output)) {
+      if (Rendering.Bvh != BvhOrigin::Kernel)
+        error("--bvh-output has no meaning without --bvh kernel");
+      else if (Result.BvhOutput.empty())
+        error("--bvh-output is empty; give it the path of the file to write");
+    }
   }
 };
 

@@ -36,6 +36,8 @@ struct Options {
   RenderOptions Rendering;
   /// PNG file; empty: none.
   std::string ImageOutput;
+  /// File for the tree that the kernel built; empty: none.
+  std::string BvhOutput;
   /// JSON file, `-` for standard output; empty: none.
   std::string StatisticsOutput;
   unsigned HostThreads = 1;

@@ -32,6 +32,10 @@ defm spp : LongValue<"spp", "<n>", "Samples per pixel (default: 1)">;
 defm depth : LongValue<"depth", "<n>",
                    "Bounces; 1 is primary and shadow rays (default: 1)">;
 defm seed : LongValue<"seed", "<n>", "Seed of the random numbers (default: 1)">;
+defm bvh : LongValue<"bvh", "<host|kernel>",
+                 "Who builds the scene's BVH (default: host)">;
+defm bvh_output : LongValue<"bvh-output", "<file>",
+                        "Write the BVH that the kernel built">;
 defm stats : LongValue<"stats", "<file>",
                    "Write the statistics as JSON; - is standard output">;
 defm host_threads : LongValue<"host-threads", "<n>",

@@ -6,6 +6,7 @@
 
 #include "simulator/tools/Simulation.h"
 
+#include "kernels/common/BuiltBvh.h"
 #include "scenes/image/PngWriter.h"
 #include "scenes/loader/SceneLoader.h"
 #include "simulator/core/Engine.h"
@@ -57,7 +58,7 @@ static llvm::Error checkWritable(const std::string &Path) {
 
 static llvm::Error checkOutputs(const Options &Request) {
   for (const std::string &Path :
-       {Request.ImageOutput, Request.StatisticsOutput})
+       {Request.ImageOutput, Request.BvhOutput, Request.StatisticsOutput})
     if (!Path.empty() && Path != "-")
       if (llvm::Error E = checkWritable(Path))
         return E;
@@ -151,6 +152,16 @@ static void explainEnd(const RunResult &Result, const Options &Request,
   } else if (Result.End == RunResult::Stopped) {
     WithColor::error(errs(), "tpsim") << "interrupted\n";
   }
+}
+
+/// Verifies the tree that a finished kernel built, and prints what it is.
+static llvm::Error checkBvh(const Options &Request, const LaunchBlock &Launch,
+                            const ProgramMemory &Memory) {
+  ErrorOr<std::string> Tree = checkBuiltBvh(Launch, Memory, Request.BvhOutput);
+  if (!Tree)
+    return createStringError(Request.Program + ": " + Tree.message());
+  errs() << *Tree << '\n';
+  return llvm::Error::success();
 }
 
 static llvm::Error writeResults(const RunSummary &Run, const Options &Request,
@@ -263,6 +274,9 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
                               Image.MaxDepth, Image.Seed};
   }
   llvm::Error Failures = writeResults(Run, Request, Ready.Block, Ready.Launch);
+  if (Request.Rendering.Bvh == BvhOrigin::Kernel && Run.ExitStatus == 0)
+    Failures = joinErrors(std::move(Failures),
+                          checkBvh(Request, Ready.Block, Ready.Launch));
   if (!Request.Quiet)
     writeTable(Run, Speed, errs());
   explainEnd(Result, Request, Chip, Ready.Elf, Machine);

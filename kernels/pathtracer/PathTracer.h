@@ -1,0 +1,206 @@
+//===- PathTracer.h - The baseline path tracer ------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// Every thread takes pixels until none is left. At each hit a shadow ray goes
+// to a random point of the lights, then a cosine-weighted ray bounces on, until
+// the path has the launch block's depth. Emission is seen directly by primary
+// rays only; for all later vertices the shadow rays account for it.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_PATHTRACER_PATHTRACER_H
+#define TP_KERNELS_PATHTRACER_PATHTRACER_H
+
+#include "kernels/bvh/BvhTraversal.h"
+#include "kernels/common/ColorEncoding.h"
+#include "kernels/common/Random.h"
+#include "kernels/common/Sampling.h"
+#include "kernels/common/SceneLayout.h"
+#include "tp/atomic.h"
+#include "tp/launch.h"
+#include "tp/memory.h"
+#include "tp/thread.h"
+
+namespace tp {
+
+/// Beyond every scene, and finite.
+inline constexpr float Farthest = 1e30f;
+
+/// Where a path meets a surface.
+struct Vertex {
+  /// Off the surface by SceneHeader::SurfaceOffset, on the ray's side.
+  Vector3 Origin;
+  /// On the ray's side.
+  Vector3 UnitNormal;
+  Vector3 BaseColor;
+};
+
+/// A random point of the lights.
+struct LightPoint {
+  Vector3 Position;
+  Vector3 UnitNormal;
+  Vector3 Emission;
+};
+
+/// One thread of the path tracer.
+class PathTracer {
+public:
+  explicit PathTracer(const LaunchBlock &Launch)
+      : Scene(devicePointer<const void>(Launch.Scene)),
+        Camera(Scene.Header->Camera), Root(Scene.Header->Root),
+        LightCount(Scene.Header->LightCount),
+        SurfaceOffset(Scene.Header->SurfaceOffset),
+        LightScale(Scene.Header->LightScale),
+        SamplesPerPixel(Launch.SamplesPerPixel), MaxDepth(Launch.MaxDepth),
+        Seed(Launch.Seed),
+        PixelWidth(2.0f / static_cast<float>(static_cast<int>(Launch.Width))),
+        PixelHeight(2.0f / static_cast<float>(static_cast<int>(Launch.Height))),
+        Aspect(static_cast<float>(static_cast<int>(Launch.Width)) /
+               static_cast<float>(static_cast<int>(Launch.Height))) {}
+
+  /// The mean radiance of a pixel's samples.
+  Vector3 renderPixel(uint32_t X, uint32_t Y, uint32_t Pixel) {
+    Vector3 Sum;
+    for (uint32_t Sample = 0; Sample != SamplesPerPixel; ++Sample)
+      Sum = Sum + tracePath(primaryRay(X, Y, Pixel, Sample), Pixel, Sample);
+    return Sum * (1.0f / static_cast<float>(static_cast<int>(SamplesPerPixel)));
+  }
+
+  uint32_t rayCount() const { return RayCount; }
+
+private:
+  Ray primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel, uint32_t Sample) const;
+  Vector3 tracePath(Ray R, uint32_t Pixel, uint32_t Sample);
+  Vertex makeVertex(const Ray &R, const Hit &Found,
+                    const TriangleRecord &Triangle) const;
+  LightPoint samplePoint(RandomWords Random) const;
+  Vector3 reflectLight(const Vertex &At, const LightPoint &Light);
+
+  const SceneView Scene;
+  const CameraRecord Camera;
+  const BvhReference Root;
+  const uint32_t LightCount;
+  const float SurfaceOffset;
+  const float LightScale;
+  const uint32_t SamplesPerPixel;
+  const uint32_t MaxDepth;
+  const uint32_t Seed;
+  const float PixelWidth;
+  const float PixelHeight;
+  const float Aspect;
+  uint32_t RayCount = 0;
+};
+
+/// A ray through a random point of the pixel.
+inline Ray PathTracer::primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel,
+                                  uint32_t Sample) const {
+  const RandomWords Random = randomWords(Pixel, Sample, 0, Seed);
+  const float Column = static_cast<float>(static_cast<int>(X));
+  const float Row = static_cast<float>(static_cast<int>(Y));
+  const float ScreenX =
+      ((Column + unitFloat(Random.X)) * PixelWidth - 1.0f) * Aspect;
+  const float ScreenY = 1.0f - (Row + unitFloat(Random.Y)) * PixelHeight;
+  return {Camera.Position,
+          Camera.Forward + Camera.Right * ScreenX + Camera.Up * ScreenY};
+}
+
+inline Vertex PathTracer::makeVertex(const Ray &R, const Hit &Found,
+                                     const TriangleRecord &Triangle) const {
+  Vertex Result;
+  const Vector3 Normal = Triangle.Plane.Direction;
+  Result.UnitNormal = dot(Normal, R.Direction) > 0.0f ? -Normal : Normal;
+  Result.Origin = R.Origin + R.Direction * Found.Distance +
+                  Result.UnitNormal * SurfaceOffset;
+  Result.BaseColor = Triangle.BaseColor;
+  return Result;
+}
+
+/// A point of the lights, uniform by area.
+inline LightPoint PathTracer::samplePoint(RandomWords Random) const {
+  const RandomChoice Cell = chooseIndex(Random.X, LightCount);
+  const LightChoice Choice = Scene.LightChoices[Cell.Index];
+  const bool Keep = Cell.Remainder < Choice.Keep;
+  const LightRecord &Light = Scene.Lights[Keep ? Cell.Index : Choice.Alias];
+  return {sampleTriangle(Light.Vertex, Light.Edges[0], Light.Edges[1], Random.Y,
+                         Random.Z),
+          Light.UnitNormal, Light.Emission};
+}
+
+/// The radiance of the light's point that the surface reflects if it is white.
+/// The BRDF's 1 / pi and the density of the point are in LightScale.
+inline Vector3 PathTracer::reflectLight(const Vertex &At,
+                                        const LightPoint &Light) {
+  const Ray Shadow{At.Origin, Light.Position - At.Origin};
+  const float CosineHere = dot(At.UnitNormal, Shadow.Direction);
+  const float CosineThere = fabs(dot(Light.UnitNormal, Shadow.Direction));
+  const float DistanceSquared = dot(Shadow.Direction, Shadow.Direction);
+  // Below the horizon, or the light seen from its edge. Both cosines still have
+  // the distance as a factor.
+  if (!(CosineHere > 0.0f && CosineThere > 0.0f))
+    return {};
+  // Ends before the light itself.
+  constexpr float ShadowEnd = 0.999f;
+  ++RayCount;
+  if (isBlocked(Scene, Root, Shadow, ShadowEnd))
+    return {};
+  const float Geometry =
+      CosineHere * CosineThere / (DistanceSquared * DistanceSquared);
+  return Light.Emission * (Geometry * LightScale);
+}
+
+/// The radiance that arrives along \p R from the scene.
+inline Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
+  Vector3 Radiance;
+  Vector3 Throughput = {1, 1, 1};
+  for (uint32_t Depth = 1;; ++Depth) {
+    ++RayCount;
+    const Hit Found = findClosestHit(Scene, Root, R, Farthest);
+    if (Found.Triangle == kNoTriangle)
+      return Radiance;
+    // Everything that a vertex may need is loaded before the first decision, to
+    // wait for memory twice instead of four times. Dimension 0 is the camera's;
+    // there are two events at each vertex.
+    const TriangleRecord &Triangle = Scene.Triangles[Found.Triangle];
+    const LightPoint Light =
+        samplePoint(randomWords(Pixel, Sample, 2 * Depth - 1, Seed));
+    const Vector3 Emission = Scene.Materials[Triangle.Material].Emission;
+    const Vertex At = makeVertex(R, Found, Triangle);
+    const float EmissionShare = Depth == 1 ? 1.0f : 0.0f;
+    Radiance = Radiance + Emission * EmissionShare;
+
+    Throughput = Throughput * At.BaseColor;
+    if (Throughput.X + Throughput.Y + Throughput.Z == 0.0f)
+      return Radiance;
+    if (LightCount != 0)
+      Radiance = Radiance + Throughput * reflectLight(At, Light);
+    if (Depth == MaxDepth)
+      return Radiance;
+    const RandomWords Bounce = randomWords(Pixel, Sample, 2 * Depth, Seed);
+    R = {At.Origin, sampleCosineHemisphere(At.UnitNormal, Bounce.X, Bounce.Y)};
+  }
+}
+
+/// Takes pixels of the launch's picture until none is left; all threads call
+/// it.
+inline void renderPixels(const LaunchBlock &Launch) {
+  PathTracer Tracer(Launch);
+  uint32_t *WorkCounter = devicePointer<uint32_t>(Launch.WorkCounter);
+  uint32_t *Framebuffer = devicePointer<uint32_t>(Launch.Framebuffer);
+  const uint32_t PixelCount = Launch.Width * Launch.Height;
+  for (;;) {
+    const uint32_t Pixel = atomicAdd(WorkCounter, 1);
+    if (Pixel >= PixelCount)
+      break;
+    const uint32_t Y = Pixel / Launch.Width;
+    const uint32_t X = Pixel - Y * Launch.Width;
+    Framebuffer[Pixel] = encodePixel(Tracer.renderPixel(X, Y, Pixel));
+  }
+  devicePointer<uint32_t>(Launch.RayCounts)[threadId()] = Tracer.rayCount();
+}
+
+} // namespace tp
+
+#endif // TP_KERNELS_PATHTRACER_PATHTRACER_H
