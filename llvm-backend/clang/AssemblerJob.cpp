@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/AssemblerJob.h"
+#include "llvm-backend/MachineCode/MachineCode.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/FrontendJob.h"
 #include "clang/Basic/DiagnosticDriver.h"
@@ -12,20 +13,6 @@
 #include "clang/Options/OptionUtils.h"
 #include "clang/Options/Options.h"
 #include "llvm/ADT/StringExtras.h"
-#include "llvm/MC/MCAsmBackend.h"
-#include "llvm/MC/MCAsmInfo.h"
-#include "llvm/MC/MCCodeEmitter.h"
-#include "llvm/MC/MCContext.h"
-#include "llvm/MC/MCInstrInfo.h"
-#include "llvm/MC/MCObjectFileInfo.h"
-#include "llvm/MC/MCObjectWriter.h"
-#include "llvm/MC/MCParser/MCAsmParser.h"
-#include "llvm/MC/MCParser/MCTargetAsmParser.h"
-#include "llvm/MC/MCRegisterInfo.h"
-#include "llvm/MC/MCStreamer.h"
-#include "llvm/MC/MCSubtargetInfo.h"
-#include "llvm/MC/MCTargetOptions.h"
-#include "llvm/MC/TargetRegistry.h"
 #include "llvm/Option/ArgList.h"
 #include "llvm/Option/OptTable.h"
 #include "llvm/Support/FileSystem.h"
@@ -98,12 +85,9 @@ bool runAssembler(ArrayRef<const char *> CommandLine,
     return false;
   setBackendOptions(Arguments.getAllArgValues(OPT_mllvm));
 
-  Triple TargetTriple(Arguments.getLastArgValue(OPT_triple, TPTriple));
-  std::string LookupError;
-  const Target *TheTarget =
-      TargetRegistry::lookupTarget(TargetTriple, LookupError);
-  if (!TheTarget) {
-    Diags.Report(diag::err_target_unknown_triple) << TargetTriple.str();
+  StringRef TargetTriple = Arguments.getLastArgValue(OPT_triple, TPTriple);
+  if (TargetTriple != TPTriple) {
+    Diags.Report(diag::err_target_unknown_triple) << TargetTriple;
     return false;
   }
 
@@ -126,20 +110,10 @@ bool runAssembler(ArrayRef<const char *> CommandLine,
   Options.MCSaveTempLabels = Arguments.hasArg(OPT_msave_temp_labels);
   Options.MCUseDwarfDirectory = MCTargetOptions::EnableDwarfDirectory;
 
-  std::unique_ptr<MCRegisterInfo> Registers(
-      TheTarget->createMCRegInfo(TargetTriple));
-  std::unique_ptr<MCAsmInfo> AsmInfo(
-      TheTarget->createMCAsmInfo(*Registers, TargetTriple, Options));
-  std::unique_ptr<MCInstrInfo> Instructions(TheTarget->createMCInstrInfo());
-  std::unique_ptr<MCSubtargetInfo> Subtarget(TheTarget->createMCSubtargetInfo(
-      TargetTriple, Arguments.getLastArgValue(OPT_target_cpu),
-      llvm::join(Arguments.getAllArgValues(OPT_target_feature), ",")));
-  MCContext Context(TargetTriple, AsmInfo.get(), Registers.get(),
-                    Subtarget.get(), &Sources, &Options);
-  std::unique_ptr<MCObjectFileInfo> ObjectFileInfo(
-      TheTarget->createMCObjectFileInfo(Context, /*PIC=*/false));
-  Context.setObjectFileInfo(ObjectFileInfo.get());
-  setDebugOptions(Context, Arguments, InputName, InputText, Diags);
+  MachineCode Code(
+      &Sources, Options, Arguments.getLastArgValue(OPT_target_cpu),
+      llvm::join(Arguments.getAllArgValues(OPT_target_feature), ","));
+  setDebugOptions(Code.Context, Arguments, InputName, InputText, Diags);
 
   std::string OutputName = Arguments.getLastArgValue(OPT_o, "-").str();
   std::error_code OpenFailure;
@@ -152,23 +126,11 @@ bool runAssembler(ArrayRef<const char *> CommandLine,
   SmallString<0> ObjectText;
   raw_svector_ostream ObjectStream(ObjectText);
 
-  std::unique_ptr<MCCodeEmitter> Emitter(
-      TheTarget->createMCCodeEmitter(*Instructions, Context));
-  std::unique_ptr<MCAsmBackend> Backend(
-      TheTarget->createMCAsmBackend(*Subtarget, *Registers, Options));
-  std::unique_ptr<MCObjectWriter> Writer =
-      Backend->createObjectWriter(ObjectStream);
-  std::unique_ptr<MCStreamer> Streamer(TheTarget->createMCObjectStreamer(
-      TargetTriple, Context, std::move(Backend), std::move(Writer),
-      std::move(Emitter), *Subtarget));
-  Streamer->initSections(/*NoExecStack=*/false, *Subtarget);
-  std::unique_ptr<MCAsmParser> Parser(
-      createMCAsmParser(Sources, Context, *Streamer, *AsmInfo));
-  std::unique_ptr<MCTargetAsmParser> TargetParser(TheTarget->createMCAsmParser(
-      *Subtarget, *Parser, *Instructions, Options));
-  Parser->setTargetParser(*TargetParser);
-  if (!defineSymbols(Context, *Streamer, Arguments, Diags) ||
-      Parser->Run(/*NoInitialTextSection=*/false))
+  std::unique_ptr<MCStreamer> Streamer =
+      Code.createObjectStreamer(ObjectStream);
+  Streamer->initSections(/*NoExecStack=*/false, *Code.Subtarget);
+  if (!defineSymbols(Code.Context, *Streamer, Arguments, Diags) ||
+      !Code.assemble(Sources, *Streamer))
     return false;
   Output.os() << ObjectText;
   Output.keep();

@@ -9,8 +9,11 @@
 #include "llvm-backend/clang/AssemblerJob.h"
 #include "llvm-backend/clang/DriverArguments.h"
 #include "llvm-backend/clang/DriverQueries.h"
+#include "llvm-backend/clang/FloatingPointFlagWarnings.h"
+#include "llvm-backend/clang/FloatingPointReport.h"
 #include "llvm-backend/clang/FrontendJob.h"
 #include "llvm-backend/clang/LinkJob.h"
+#include "llvm-backend/clang/OwnOptions.h"
 #include "clang/Basic/DiagnosticDriver.h"
 #include "clang/Driver/Compilation.h"
 #include "clang/Driver/Driver.h"
@@ -42,8 +45,8 @@ enum class JobKind { Frontend, Assembler, Link };
 class JobRunner {
 public:
   JobRunner(Compilation &Jobs, const std::string &ToolPath,
-            const Sysroot &Folders)
-      : Jobs(Jobs), ToolPath(ToolPath), Link(Jobs, Folders) {}
+            const Sysroot &Folders, const WarningOptions &Warnings)
+      : Jobs(Jobs), ToolPath(ToolPath), Link(Jobs, Folders, Warnings) {}
 
   bool runAll(bool Verbose);
 
@@ -124,32 +127,19 @@ bool JobRunner::runAll(bool Verbose) {
   return Succeeded;
 }
 
-// Replaces tpcc's own options by clang's.
-static void translateOwnOptions(SmallVectorImpl<const char *> &Arguments) {
-  SmallVector<const char *, 64> Translated;
-  for (const char *Given : Arguments) {
-    StringRef Argument = Given;
-    if (Argument != "-mtrig" && Argument != "-mno-trig") {
-      Translated.push_back(Given);
-      continue;
-    }
-    for (const char *Part : {"-Xclang", "-target-feature", "-Xclang"})
-      Translated.push_back(Part);
-    Translated.push_back(Argument == "-mtrig" ? "+trig" : "-trig");
-  }
-  Arguments = std::move(Translated);
-}
-
 // What goes to clang's driver: the defaults, then the user's words without
 // -### and -v, at which clang's driver would print its own version.
 static SmallVector<const char *, 64>
-driverArguments(ArrayRef<const char *> UserArguments, bool Verbose,
+driverArguments(const TranslatedCommandLine &User, bool Verbose,
                 const std::string &ToolPath) {
-  SmallVector<const char *, 64> Arguments{ToolPath.c_str()};
+  SmallVector<const char *, 64> Arguments{ToolPath.c_str(),
+                                          "--start-no-unused-arguments"};
   append_range(Arguments, defaultDriverArguments());
+  append_range(Arguments, User.Defaults);
+  Arguments.push_back("--end-no-unused-arguments");
   if (Verbose)
     append_range(Arguments, ArrayRef<const char *>{"-Xclang", "-v"});
-  for (const char *Argument : UserArguments)
+  for (const char *Argument : User.Words)
     if (StringRef(Argument) != "-###" && StringRef(Argument) != "-v")
       Arguments.push_back(Argument);
   return Arguments;
@@ -157,6 +147,7 @@ driverArguments(ArrayRef<const char *> UserArguments, bool Verbose,
 
 // Gives the jobs that clang's driver has planned what it does not know.
 static void completeJobs(Compilation &Jobs, const ArgList &UserArguments,
+                         ArrayRef<const char *> WarningWords,
                          const Sysroot &Folders, const std::string &ToolPath) {
   StringSet<> LinkInputs;
   if (UserArguments.hasFlag(OPT_flto, OPT_flto_EQ, OPT_fno_lto, true))
@@ -173,7 +164,8 @@ static void completeJobs(Compilation &Jobs, const ArgList &UserArguments,
       continue;
     }
     ArgStringList JobArguments = Job.getArguments();
-    completeJobArguments(UserArguments, Folders, Jobs.getArgs(), JobArguments);
+    completeJobArguments(UserArguments, WarningWords, Folders, Jobs.getArgs(),
+                         JobArguments);
     if (StringRef(JobArguments.front()) == "-cc1" &&
         any_of(Job.getOutputFilenames(), [&](const std::string &Output) {
           return LinkInputs.contains(Output);
@@ -183,8 +175,9 @@ static void completeJobs(Compilation &Jobs, const ArgList &UserArguments,
   }
 }
 
-static bool anyInput(const ArgList &Arguments) {
-  return Arguments.hasArg(OPT_INPUT);
+static bool isInternalTool(ArrayRef<const char *> Arguments) {
+  return !Arguments.empty() && (StringRef(Arguments[0]) == "-cc1" ||
+                                StringRef(Arguments[0]) == "-cc1as");
 }
 
 static int runInternalTool(ArrayRef<const char *> Arguments,
@@ -195,6 +188,51 @@ static int runInternalTool(ArrayRef<const char *> Arguments,
   return !runAssembler(Arguments.drop_front(), Diags);
 }
 
+namespace {
+/// The driver's messages, as a command line wants them.
+struct DriverDiagnostics {
+  DriverDiagnostics(const std::string &ToolPath, ArrayRef<const char *> Words);
+
+  std::unique_ptr<DiagnosticOptions> Options;
+  DiagnosticsEngine Engine;
+
+private:
+  static std::unique_ptr<DiagnosticOptions>
+  readOptions(const std::string &ToolPath, ArrayRef<const char *> Words) {
+    SmallVector<const char *, 64> WithToolName{ToolPath.c_str()};
+    append_range(WithToolName, Words);
+    return CreateAndPopulateDiagOpts(WithToolName);
+  }
+};
+} // namespace
+
+DriverDiagnostics::DriverDiagnostics(const std::string &ToolPath,
+                                     ArrayRef<const char *> Words)
+    : Options(readOptions(ToolPath, Words)),
+      Engine(DiagnosticIDs::create(), *Options) {
+  auto *Printer = new TextDiagnosticPrinter(errs(), *Options);
+  Printer->setPrefix("tpcc");
+  Engine.setClient(Printer);
+  ProcessWarningOptions(Engine, *Options, *vfs::getRealFileSystem(),
+                        /*ReportDiags=*/false);
+}
+
+static int reportFailure(Error Failure) {
+  errs() << "tpcc: error: " << toString(std::move(Failure)) << '\n';
+  return 1;
+}
+
+// --print-fp.
+static int printFloatingPoint(const FloatingPointResolver &Resolver,
+                              ArrayRef<CommandLineOption> Options) {
+  auto Decisions = decideFloatingPoint(Resolver, Options);
+  if (!Decisions)
+    return reportFailure(createStringError(
+        "clang's front end refuses these options; compile to see why"));
+  printFloatingPointTable(outs(), *Decisions, Options);
+  return 0;
+}
+
 // What the optimizer and the code generator cannot do ends the run.
 [[noreturn]] static void exitOnFatalError(void *, const char *Message, bool) {
   errs() << "tpcc: error: " << Message << '\n';
@@ -202,68 +240,83 @@ static int runInternalTool(ArrayRef<const char *> Arguments,
   sys::Process::Exit(1);
 }
 
-int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
-  ScopedFatalErrorHandler FatalErrors(exitOnFatalError);
-  SmallVector<const char *, 64> Arguments(CommandLine.drop_front());
-  BumpPtrAllocator Strings;
-  if (Error Failure =
-          expandResponseFiles(Arguments, /*ClangCLMode=*/false, Strings)) {
-    errs() << "tpcc: error: " << toString(std::move(Failure)) << '\n';
-    return 1;
-  }
-  // Response files may have brought in line-end markers.
-  llvm::erase(Arguments, nullptr);
-  translateOwnOptions(Arguments);
-  std::string ToolPath =
-      sys::fs::getMainExecutable(CommandLine.front(), MainAddress);
-
-  SmallVector<const char *, 64> WithToolName{ToolPath.c_str()};
-  append_range(WithToolName, Arguments);
-  std::unique_ptr<DiagnosticOptions> DiagOptions =
-      CreateAndPopulateDiagOpts(WithToolName);
-  auto *Printer = new TextDiagnosticPrinter(errs(), *DiagOptions);
-  Printer->setPrefix("tpcc");
-  DiagnosticsEngine Diags(DiagnosticIDs::create(), *DiagOptions, Printer);
-  ProcessWarningOptions(Diags, *DiagOptions, *vfs::getRealFileSystem(),
-                        /*ReportDiags=*/false);
-
-  if (!Arguments.empty() && (StringRef(Arguments[0]) == "-cc1" ||
-                             StringRef(Arguments[0]) == "-cc1as"))
-    return runInternalTool(Arguments, ToolPath, Diags);
-
+// Does what the translated command line says; \p Given is the user's own.
+static int compileAndLink(TranslatedCommandLine &Translated,
+                          ArrayRef<CommandLineOption> Given,
+                          const std::string &ToolPath,
+                          DiagnosticsEngine &Diags) {
   unsigned MissingIndex, MissingCount;
-  InputArgList UserArguments = getDriverOptTable().ParseArgs(
-      Arguments, MissingIndex, MissingCount, opt::Visibility(ClangOption));
+  InputArgList UserArguments =
+      getDriverOptTable().ParseArgs(Translated.Words, MissingIndex,
+                                    MissingCount, opt::Visibility(ClangOption));
   if (answerQuery(UserArguments, ToolPath))
     return 0;
   bool DryRun = UserArguments.hasArg(OPT__HASH_HASH_HASH);
   bool Verbose = UserArguments.hasArg(OPT_v);
+  bool AnyInput = UserArguments.hasArg(OPT_INPUT);
   if (DryRun || Verbose)
     printVersion(errs(), ToolPath);
-  if (Verbose && !anyInput(UserArguments))
+  if (Verbose && !AnyInput)
     return 0;
+  if (Translated.PrintsFloatingPoint && !AnyInput)
+    append_range(Translated.Words,
+                 ArrayRef<const char *>{"-fsyntax-only", "-x", "c++", "-"});
 
   clang::driver::Driver TheDriver(ToolPath, llvm::TPTriple, Diags,
                                   "tpcc, compiler for the thread processor");
   TheDriver.Name = "tpcc";
   SmallVector<const char *, 64> AllArguments =
-      driverArguments(Arguments, Verbose, ToolPath);
+      driverArguments(Translated, Verbose, ToolPath);
   std::unique_ptr<Compilation> Jobs(TheDriver.BuildCompilation(AllArguments));
   if (!Jobs)
     return Diags.hasErrorOccurred();
   if (Jobs->containsError() || Diags.hasErrorOccurred())
     return 1;
 
-  Sysroot Folders(ToolPath);
-  completeJobs(*Jobs, UserArguments, Folders, ToolPath);
+  FloatingPointResolver Resolver(ToolPath);
+  if (warnOfFloatingPointFlags(Resolver, Given, Translated.Warnings))
+    return 1;
+  if (Translated.PrintsFloatingPoint)
+    return printFloatingPoint(Resolver, Given);
 
+  Sysroot Folders(ToolPath);
+  completeJobs(*Jobs, UserArguments, Translated.WarningWords, Folders,
+               ToolPath);
   bool Succeeded = true;
-  if (DryRun)
+  if (DryRun) {
+    if (auto Settings = Resolver.resolve(Given))
+      printFloatingPointComment(errs(), *Settings);
     Jobs->getJobs().Print(errs(), "\n", /*Quote=*/true);
-  else
-    Succeeded = JobRunner(*Jobs, ToolPath, Folders).runAll(Verbose);
+  } else {
+    Succeeded = JobRunner(*Jobs, ToolPath, Folders, Translated.Warnings)
+                    .runAll(Verbose);
+  }
   Jobs->CleanupFileList(Jobs->getTempFiles());
   return !Succeeded || Diags.hasErrorOccurred();
+}
+
+int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
+  ScopedFatalErrorHandler FatalErrors(exitOnFatalError);
+  SmallVector<const char *, 64> Arguments(CommandLine.drop_front());
+  BumpPtrAllocator Strings;
+  if (Error Failure =
+          expandResponseFiles(Arguments, /*ClangCLMode=*/false, Strings))
+    return reportFailure(std::move(Failure));
+  // Response files may have brought in line-end markers.
+  llvm::erase(Arguments, nullptr);
+  std::string ToolPath =
+      sys::fs::getMainExecutable(CommandLine.front(), MainAddress);
+  if (isInternalTool(Arguments)) {
+    DriverDiagnostics Diags(ToolPath, Arguments);
+    return runInternalTool(Arguments, ToolPath, Diags.Engine);
+  }
+
+  std::vector<CommandLineOption> Given = splitCommandLine(Arguments);
+  Expected<TranslatedCommandLine> Translated = translateOwnOptions(Arguments);
+  if (!Translated)
+    return reportFailure(Translated.takeError());
+  DriverDiagnostics Diags(ToolPath, Translated->Words);
+  return compileAndLink(*Translated, Given, ToolPath, Diags.Engine);
 }
 
 } // namespace tp

@@ -7,6 +7,7 @@
 #include "llvm-backend/clang/DriverArguments.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/HostPaths.h"
+#include "llvm-backend/clang/warnings/WarningOptions.h"
 #include "clang/Options/Options.h"
 #include "llvm/ADT/STLExtras.h"
 
@@ -18,7 +19,6 @@ namespace tp {
 
 static constexpr const char *Defaults[] = {
     "--no-default-config",
-    "--start-no-unused-arguments",
     "--target=tp-unknown-elf",
     "-resource-dir",
     ClangResourceFolder,
@@ -36,13 +36,12 @@ static constexpr const char *Defaults[] = {
     "-ftls-model=local-exec",
     "-fno-addrsig",
     "-fomit-frame-pointer",
-    // The TP has no fused multiply-add, and a kernel rounds as it does on the
-    // host.
+    // A kernel rounds as it does on the host, with or without fused
+    // multiply-add.
     "-ffp-contract=off",
     "-fno-math-errno",
     // Conversions saturate, as the instruction does.
     "-fno-strict-float-cast-overflow",
-    "--end-no-unused-arguments",
 };
 
 ArrayRef<const char *> defaultDriverArguments() { return Defaults; }
@@ -83,8 +82,9 @@ static void appendHeaderFolders(const ArgList &UserArguments,
     Append(Sysroot::resourceFolder() + "/include", "-internal-isystem");
 }
 
-void completeJobArguments(const ArgList &UserArguments, const Sysroot &Folders,
-                          const ArgList &StringOwner,
+void completeJobArguments(const ArgList &UserArguments,
+                          ArrayRef<const char *> WarningWords,
+                          const Sysroot &Folders, const ArgList &StringOwner,
                           ArgStringList &JobArguments) {
   for (size_t I = 0; I + 1 < JobArguments.size(); ++I)
     if (StringRef(JobArguments[I]) == "-triple")
@@ -97,6 +97,10 @@ void completeJobArguments(const ArgList &UserArguments, const Sysroot &Folders,
         return Argument.starts_with("-std=");
       }))
     JobArguments.push_back("-std=gnu++20");
+  for (const char *Word : WarningWords) {
+    JobArguments.push_back(WarningPlugInOption);
+    JobArguments.push_back(Word);
+  }
   appendHeaderFolders(UserArguments, Folders, StringOwner, IsCxx, JobArguments);
 }
 

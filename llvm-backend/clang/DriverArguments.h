@@ -1,5 +1,4 @@
-//===- DriverArguments.h - tpcc's defaults among clang's options -*- C++
-//-*-===//
+//===- DriverArguments.h - tpcc's defaults among clang's --------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -25,9 +24,10 @@ void compileForWholeProgram(llvm::opt::ArgStringList &JobArguments);
 
 /// Completes the arguments that clang's driver made for a `-cc1` or `-cc1as`
 /// job: the TP's triple as its code generator spells it, C++20 as default
-/// language, and the header folders of \p Folders unless an option of
-/// \p UserArguments excludes them.
+/// language, the user's \p WarningWords, and the header folders of \p Folders
+/// unless an option of \p UserArguments excludes them.
 void completeJobArguments(const llvm::opt::ArgList &UserArguments,
+                          llvm::ArrayRef<const char *> WarningWords,
                           const Sysroot &Folders,
                           const llvm::opt::ArgList &StringOwner,
                           llvm::opt::ArgStringList &JobArguments);

@@ -7,6 +7,7 @@
 #include "llvm-backend/clang/DriverQueries.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/HostPaths.h"
+#include "llvm-backend/clang/OwnOptions.h"
 #include "clang/Basic/Version.h"
 #include "clang/Options/Options.h"
 #include "llvm/Option/OptTable.h"
@@ -17,13 +18,12 @@ using namespace llvm;
 
 namespace tp {
 
-static constexpr const char TpOptionsHelp[] = R"(
-Besides clang's options:
-  -mtrig, -mno-trig       The chip has (default) or lacks sin_s and cos_s
-  -nostdlib               Link without the runtime (no _start, no C library)
-  -Wl,--entry=<symbol>    Start at <symbol> instead of _start
-  -Wl,--no-gc-sections    Keep code and data that nothing refers to
-  -Wl,-Map=<file>         Write where everything lies in the program
+static constexpr const char LinkHelp[] = R"(
+Options of the link:
+  -nostdlib                 Link without the runtime (no _start, no C library)
+  -Wl,--entry=<symbol>      Start at <symbol> instead of _start
+  -Wl,--no-gc-sections      Keep code and data that nothing refers to
+  -Wl,-Map=<file>           Write where everything lies in the program
 
 Link order is free: all C, C++, LLVM IR and bitcode inputs are optimized as one
 program with the runtime at the -O level of the command.
@@ -44,7 +44,9 @@ bool answerQuery(const opt::ArgList &UserArguments, StringRef ToolPath) {
         "to ELF",
         UserArguments.hasArg(OPT__help_hidden), /*ShowAllAliases=*/false,
         opt::Visibility(ClangOption));
-    outs() << TpOptionsHelp;
+    outs() << "\nBesides clang's options:\n";
+    printOwnOptions(outs());
+    outs() << LinkHelp;
     return true;
   }
   if (UserArguments.hasArg(OPT__version)) {

@@ -30,8 +30,10 @@ void setBackendOptions(ArrayRef<std::string> Options) {
   cl::ParseCommandLineOptions(Arguments.size(), Arguments.data());
 }
 
+// Prints to \p Client, or as the arguments say if it is null.
 static std::unique_ptr<CompilerInstance>
-createInstance(ArrayRef<const char *> Arguments, const char *ToolPath) {
+createInstance(ArrayRef<const char *> Arguments, const char *ToolPath,
+               DiagnosticConsumer *Client = nullptr) {
   auto Invocation = std::make_shared<CompilerInvocation>();
   DiagnosticOptions ArgumentDiagnosticOptions;
   TextDiagnosticBuffer ArgumentDiagnostics;
@@ -50,7 +52,7 @@ createInstance(ArrayRef<const char *> Arguments, const char *ToolPath) {
 
   auto Instance = std::make_unique<CompilerInstance>(std::move(Invocation));
   Instance->createVirtualFileSystem();
-  Instance->createDiagnostics();
+  Instance->createDiagnostics(Client);
   if (!Instance->hasDiagnostics())
     return nullptr;
   ArgumentDiagnostics.FlushDiagnostics(Instance->getDiagnostics());
@@ -107,6 +109,14 @@ static bool execute(CompilerInstance &Instance, FrontendAction &Action) {
   }
   Instance.getDiagnosticClient().finish();
   return Prepared && !Instance.getDiagnostics().getClient()->getNumErrors();
+}
+
+std::unique_ptr<CompilerInstance>
+interpretArguments(ArrayRef<const char *> Arguments, const char *ToolPath) {
+  auto Instance = createInstance(Arguments, ToolPath, new IgnoringDiagConsumer);
+  if (!Instance || !createTarget(*Instance))
+    return nullptr;
+  return Instance;
 }
 
 bool runFrontend(ArrayRef<const char *> Arguments, const char *ToolPath) {

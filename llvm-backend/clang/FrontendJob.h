@@ -13,6 +13,10 @@
 
 #include <memory>
 
+namespace clang {
+class CompilerInstance;
+} // namespace clang
+
 namespace tp {
 
 /// Runs the front end for the TP in this process.
@@ -27,6 +31,13 @@ bool runFrontend(llvm::ArrayRef<const char *> Arguments, const char *ToolPath);
 std::unique_ptr<llvm::Module>
 compileToModule(llvm::ArrayRef<const char *> Arguments, const char *ToolPath,
                 llvm::LLVMContext &Context);
+
+/// Makes the front end that \p Arguments describe, up to its target, runs
+/// nothing and prints nothing.
+/// \returns null if the arguments are wrong.
+std::unique_ptr<clang::CompilerInstance>
+interpretArguments(llvm::ArrayRef<const char *> Arguments,
+                   const char *ToolPath);
 
 /// Hands \p Options (the values of `-mllvm`) to LLVM's command line, as if no
 /// other job had set any before.

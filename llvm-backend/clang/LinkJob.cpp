@@ -90,7 +90,9 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
   if (!Job.getOutputFilenames().empty())
     Options.OutputPath = Job.getOutputFilenames().front();
   const Arg *Debug = Arguments.getLastArg(OPT_g_Group);
-  Options.FullRuntimeDebugInfo = Debug && !Debug->getOption().matches(OPT_g0);
+  Options.FullRuntimeDebugInfo =
+      Debug && !Debug->getOption().matches(OPT_g0) &&
+      !Debug->getOption().matches(OPT_gline_tables_only);
   if (!Arguments.hasArg(OPT_nostdlib, OPT_nodefaultlibs))
     Options.RuntimePath = Folders.runtimeBitcode();
   refuse({OPT_r, OPT_shared, OPT_rdynamic, OPT_pie, OPT_static_pie},
@@ -189,6 +191,7 @@ void LinkPlan::addLibrary(StringRef Name) {
 bool LinkJob::run(const Command &Job) {
   LinkDiagnostics Diags;
   LinkPlan Plan(Jobs, Folders, Job, Diags);
+  Plan.Options.Warnings = Warnings;
   if (Diags.hasErrors())
     return false;
   for (LinkInput &Input : Plan.Inputs)
@@ -209,6 +212,7 @@ void LinkJob::describe(const Compilation &Jobs, const Sysroot &Folders,
   if (!Jobs.getArgs().hasArg(OPT_nostdlib, OPT_nodefaultlibs))
     Words.push_back(StringOwner.MakeArgString(Folders.runtimeBitcode()));
   Jobs.getArgs().AddLastArg(Words, OPT_O_Group);
+  Jobs.getArgs().AddAllArgs(Words, OPT_mllvm);
   Jobs.getArgs().AddAllArgs(Words, OPT_L);
   for (const LinkWord &Word : linkWords(Job)) {
     if (Word.Option)

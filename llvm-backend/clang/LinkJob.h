@@ -9,6 +9,7 @@
 
 #include "llvm-backend/clang/Sysroot.h"
 #include "llvm-backend/clang/link/ProgramLinker.h"
+#include "llvm-backend/clang/warnings/WarningOptions.h"
 #include "clang/Driver/Compilation.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/IR/LLVMContext.h"
@@ -19,8 +20,9 @@ namespace tp {
 /// for a linker program; here it runs in this process.
 class LinkJob {
 public:
-  LinkJob(const clang::driver::Compilation &Jobs, const Sysroot &Folders)
-      : Jobs(Jobs), Folders(Folders) {}
+  LinkJob(const clang::driver::Compilation &Jobs, const Sysroot &Folders,
+          const WarningOptions &Warnings)
+      : Jobs(Jobs), Folders(Folders), Warnings(Warnings) {}
 
   /// Where units that are to be linked have to be compiled.
   llvm::LLVMContext &context() { return Context; }
@@ -42,6 +44,7 @@ public:
 private:
   const clang::driver::Compilation &Jobs;
   const Sysroot &Folders;
+  const WarningOptions &Warnings;
   llvm::LLVMContext Context;
   llvm::StringMap<std::unique_ptr<llvm::Module>> Units;
 };

@@ -6,6 +6,7 @@
 
 #include "llvm-backend/clang/warnings/WarningOptions.h"
 #include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/WithColor.h"
 
 using namespace llvm;
 
@@ -97,6 +98,18 @@ std::string WarningOptions::suffix(FloatingPointWarning Warning) const {
   return (Twine(" [") + (IsError ? "-Werror," : "") + "-W" +
           Names[static_cast<size_t>(Warning)] + "]")
       .str();
+}
+
+bool reportWarning(const WarningOptions &Options, FloatingPointWarning Warning,
+                   const Twine &Message) {
+  WarningLevel Level = Options.level(Warning);
+  if (Level == WarningLevel::Ignored)
+    return false;
+  bool IsError = Level == WarningLevel::Error;
+  raw_ostream &Stream = IsError ? WithColor::error(errs(), "tpcc")
+                                : WithColor::warning(errs(), "tpcc");
+  Stream << Message << Options.suffix(Warning) << '\n';
+  return IsError;
 }
 
 } // namespace tp

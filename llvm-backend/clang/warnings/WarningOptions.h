@@ -8,6 +8,7 @@
 #define TP_LLVM_BACKEND_CLANG_WARNINGS_WARNINGOPTIONS_H
 
 #include "llvm/ADT/StringRef.h"
+#include "llvm/ADT/Twine.h"
 #include "llvm/Support/Error.h"
 
 #include <array>
@@ -29,9 +30,11 @@ enum class FloatingPointWarning {
 /// What a warning does to a compilation.
 enum class WarningLevel { Ignored, Warning, Error };
 
-/// The name of the plug-in that warns in the front end, and so of
-/// `-plugin-arg-tp-fp`, which hands it the user's -Wtp words.
+/// The name of the plug-in that warns in the front end.
 inline constexpr const char WarningPlugInName[] = "tp-fp";
+
+/// The front end's option that hands the plug-in one of the user's -Wtp words.
+inline constexpr const char WarningPlugInOption[] = "-plugin-arg-tp-fp";
 
 /// The -Wtp-fp words of a command line: `-Wtp-fp-<name>`, `-Wno-tp-fp-<name>`,
 /// `-Werror=tp-fp-<name>`, `-Wno-error=tp-fp-<name>` and the same for the group
@@ -75,6 +78,12 @@ private:
   bool AllAreErrors = false;
   bool IgnoreAll = false;
 };
+
+/// Prints \p Message, unless \p Warning is off, as tpcc's own: about the
+/// command line or the whole program, not about a place in the source.
+/// \returns whether the warning is an error.
+bool reportWarning(const WarningOptions &Options, FloatingPointWarning Warning,
+                   const llvm::Twine &Message);
 
 } // namespace tp
 

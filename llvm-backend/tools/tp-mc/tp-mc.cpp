@@ -8,12 +8,9 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "llvm-backend/tools/MachineCode.h"
+#include "llvm-backend/MachineCode/MachineCode.h"
 #include "llvm-backend/tools/tp-mc/HexInput.h"
 #include "llvm/MC/MCInst.h"
-#include "llvm/MC/MCObjectWriter.h"
-#include "llvm/MC/MCParser/MCAsmParser.h"
-#include "llvm/MC/MCParser/MCTargetAsmParser.h"
 #include "llvm/MC/MCStreamer.h"
 #include "llvm/MC/TargetRegistry.h"
 #include "llvm/Support/CommandLine.h"
@@ -76,14 +73,8 @@ static std::unique_ptr<MCStreamer> createStreamer(tp::MachineCode &Code,
   if (FileType == OutputKind::Nothing)
     return std::unique_ptr<MCStreamer>(createNullStreamer(Code.Context));
 
-  std::unique_ptr<MCAsmBackend> Backend = Code.createAsmBackend();
-  if (FileType == OutputKind::Object) {
-    std::unique_ptr<MCObjectWriter> Writer =
-        Backend->createObjectWriter(Output);
-    return std::unique_ptr<MCStreamer>(Code.Target.createMCObjectStreamer(
-        Code.TargetTriple, Code.Context, std::move(Backend), std::move(Writer),
-        Code.createEncoder(), *Code.Subtarget));
-  }
+  if (FileType == OutputKind::Object)
+    return Code.createObjectStreamer(Output);
 
   std::unique_ptr<MCInstPrinter> Printer = Code.createPrinter();
   if (NoAliases)
@@ -93,7 +84,7 @@ static std::unique_ptr<MCStreamer> createStreamer(tp::MachineCode &Code,
     Encoder = Code.createEncoder();
   return std::unique_ptr<MCStreamer>(Code.Target.createAsmStreamer(
       Code.Context, std::make_unique<formatted_raw_ostream>(Output),
-      std::move(Printer), std::move(Encoder), std::move(Backend)));
+      std::move(Printer), std::move(Encoder), Code.createAsmBackend()));
 }
 
 static void describeSource(const SourceMgr &Sources, MCContext &Context) {
@@ -112,12 +103,7 @@ static bool assemble(SourceMgr &Sources, tp::MachineCode &Code,
                      MCStreamer &Streamer) {
   if (DebugInfo)
     describeSource(Sources, Code.Context);
-  std::unique_ptr<MCAsmParser> Parser(
-      createMCAsmParser(Sources, Code.Context, Streamer, *Code.Syntax));
-  std::unique_ptr<MCTargetAsmParser> TargetParser(Code.Target.createMCAsmParser(
-      *Code.Subtarget, *Parser, *Code.Instructions, Code.Options));
-  Parser->setTargetParser(*TargetParser);
-  return !Parser->Run(/*NoInitialTextSection=*/false);
+  return Code.assemble(Sources, Streamer);
 }
 
 static bool disassemble(SourceMgr &Sources, tp::MachineCode &Code,

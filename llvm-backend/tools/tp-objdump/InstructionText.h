@@ -7,7 +7,7 @@
 #ifndef TP_LLVM_BACKEND_TOOLS_TP_OBJDUMP_INSTRUCTIONTEXT_H
 #define TP_LLVM_BACKEND_TOOLS_TP_OBJDUMP_INSTRUCTIONTEXT_H
 
-#include "llvm-backend/tools/MachineCode.h"
+#include "llvm-backend/MachineCode/MachineCode.h"
 #include "llvm-backend/tools/tp-objdump/ObjectInput.h"
 #include "llvm/MC/MCInst.h"
 #include <optional>

@@ -10,7 +10,7 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "llvm-backend/tools/MachineCode.h"
+#include "llvm-backend/MachineCode/MachineCode.h"
 #include "simulator/isa/Instructions.h"
 #include "llvm/ADT/StringRef.h"
 #include "llvm/MC/MCInst.h"

@@ -4,8 +4,8 @@
 //
 //===----------------------------------------------------------------------===//
 
-#ifndef TP_LLVM_BACKEND_TOOLS_MACHINECODE_H
-#define TP_LLVM_BACKEND_TOOLS_MACHINECODE_H
+#ifndef TP_LLVM_BACKEND_MACHINECODE_MACHINECODE_H
+#define TP_LLVM_BACKEND_MACHINECODE_MACHINECODE_H
 
 #include "llvm/MC/MCAsmBackend.h"
 #include "llvm/MC/MCAsmInfo.h"
@@ -17,6 +17,7 @@
 #include "llvm/MC/MCInstrInfo.h"
 #include "llvm/MC/MCObjectFileInfo.h"
 #include "llvm/MC/MCRegisterInfo.h"
+#include "llvm/MC/MCStreamer.h"
 #include "llvm/MC/MCSubtargetInfo.h"
 #include "llvm/MC/MCTargetOptions.h"
 #include <memory>
@@ -33,13 +34,22 @@ namespace tp {
 class MachineCode {
 public:
   /// `Sources`, if given, serves diagnostics and must outlive this object.
+  /// `Cpu` and `Features` are those of the target machine, where they matter.
   explicit MachineCode(const llvm::SourceMgr *Sources = nullptr,
-                       const llvm::MCTargetOptions &Options = {});
+                       const llvm::MCTargetOptions &Options = {},
+                       llvm::StringRef Cpu = "", llvm::StringRef Features = "");
 
   std::unique_ptr<llvm::MCInstPrinter> createPrinter() const;
   std::unique_ptr<llvm::MCCodeEmitter> createEncoder();
   std::unique_ptr<llvm::MCAsmBackend> createAsmBackend() const;
   std::unique_ptr<llvm::MCDisassembler> createDisassembler();
+  /// A streamer that writes an ELF object; `Output` must be able to seek.
+  std::unique_ptr<llvm::MCStreamer>
+  createObjectStreamer(llvm::raw_pwrite_stream &Output);
+
+  /// Assembles the main file of `Sources` into `Streamer`.
+  /// \returns false after an error, which has been reported.
+  bool assemble(llvm::SourceMgr &Sources, llvm::MCStreamer &Streamer);
 
   const llvm::Triple TargetTriple;
   const llvm::Target &Target;
@@ -55,4 +65,4 @@ public:
 
 } // namespace tp
 
-#endif // TP_LLVM_BACKEND_TOOLS_MACHINECODE_H
+#endif // TP_LLVM_BACKEND_MACHINECODE_MACHINECODE_H
