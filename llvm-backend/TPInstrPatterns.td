@@ -253,6 +253,10 @@ def : Pat<(i32 (any_lrint (f32 FPR:$a))), (ROUND_W_S $a)>;
 def : Pat<(f32 (any_frint (f32 FPR:$a))), (ROUND_S $a)>;
 def : Pat<(f32 (any_fnearbyint (f32 FPR:$a))), (ROUND_S $a)>;
 
+// The reciprocal is rounded like the quotient.
+def fpOne : FPImmLeaf<f32, [{ return Imm.isExactlyValue(1.0); }]>;
+def : Pat<(f32 (any_fdiv fpOne, (f32 FPR:$a))), (RCP_S $a)>;
+
 // The C library's minimum and maximum leave the sign of zero and signalling
 // NaNs open; the TP's instructions decide them.
 def : Pat<(f32 (any_fminnum (f32 FPR:$a), (f32 FPR:$b))), (MIN_S $a, $b)>;
