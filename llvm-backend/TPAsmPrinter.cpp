@@ -4,17 +4,23 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "llvm-backend/FloatingPoint/CheckPass.h"
+#include "llvm-backend/MCTargetDesc/TPELF.h"
 #include "llvm-backend/MCTargetDesc/TPInstPrinter.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
 #include "llvm-backend/TP.h"
 #include "llvm-backend/TPMCInstLower.h"
 #include "llvm-backend/TargetInfo/TPTargetInfo.h"
+#include "llvm/BinaryFormat/ELF.h"
 #include "llvm/CodeGen/AsmPrinter.h"
+#include "llvm/CodeGen/MachineFunction.h"
 #include "llvm/CodeGen/MachineInstr.h"
 #include "llvm/InitializePasses.h"
 #include "llvm/MC/MCAsmInfo.h"
+#include "llvm/MC/MCContext.h"
 #include "llvm/MC/MCExpr.h"
 #include "llvm/MC/MCInst.h"
+#include "llvm/MC/MCSectionELF.h"
 #include "llvm/MC/MCStreamer.h"
 #include "llvm/MC/TargetRegistry.h"
 
@@ -36,6 +42,7 @@ public:
   StringRef getPassName() const override { return "TP Assembly Printer"; }
 
   void emitInstruction(const MachineInstr *MI) override;
+  void emitFunctionBodyEnd() override;
   bool PrintAsmOperand(const MachineInstr *MI, unsigned OpNo,
                        const char *ExtraCode, raw_ostream &OS) override;
   bool PrintAsmMemoryOperand(const MachineInstr *MI, unsigned OpNo,
@@ -59,6 +66,21 @@ void TPAsmPrinter::emitInstruction(const MachineInstr *MI) {
   MCInst Inst;
   Lowering.lower(*MI, Inst);
   EmitToStreamer(*OutStreamer, Inst);
+}
+
+/// Lists a checked function for the simulator, which traps there what a chip
+/// that flushes subnormals would lose.
+void TPAsmPrinter::emitFunctionBodyEnd() {
+  if (!MF->getFunction().hasFnAttribute(CheckedFunctionAttribute))
+    return;
+  MCSymbol *End = createTempSymbol("checked_end");
+  OutStreamer->emitLabel(End);
+  OutStreamer->pushSection();
+  OutStreamer->switchSection(OutContext.getELFSection(
+      TPELF::CheckedFunctionsSection, ELF::SHT_PROGBITS, /*Flags=*/0));
+  OutStreamer->emitSymbolValue(CurrentFnSym, 4);
+  OutStreamer->emitAbsoluteSymbolDiff(End, CurrentFnSym, 4);
+  OutStreamer->popSection();
 }
 
 void TPAsmPrinter::printOperand(const MachineOperand &Operand,

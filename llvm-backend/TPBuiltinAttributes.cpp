@@ -17,7 +17,8 @@ using namespace llvm;
 
 static void addAttributes(Function &F, TPBuiltin::ID Builtin) {
   F.setDoesNotThrow();
-  if (TPBuiltin::isNoReturn(Builtin))
+  bool Returns = !TPBuiltin::isNoReturn(Builtin);
+  if (!Returns)
     F.setDoesNotReturn();
   switch (TPBuiltin::getEffect(Builtin)) {
   case TPBuiltin::Effect::Const:
@@ -27,7 +28,8 @@ static void addAttributes(Function &F, TPBuiltin::ID Builtin) {
     break;
   case TPBuiltin::Effect::Inaccessible:
     F.setMemoryEffects(MemoryEffects::inaccessibleMemOnly());
-    F.setWillReturn();
+    if (Returns)
+      F.setWillReturn();
     break;
   case TPBuiltin::Effect::Memory:
     break;

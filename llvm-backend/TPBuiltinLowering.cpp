@@ -4,6 +4,7 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "llvm-backend/FloatingPoint/CheckFailure.h"
 #include "llvm-backend/MCTargetDesc/TPBaseInfo.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
 #include "llvm-backend/TPBuiltins.h"
@@ -24,12 +25,13 @@ class BuiltinCall {
   ArrayRef<SDValue> Arguments;
   SmallVectorImpl<SDValue> &Results;
   SDValue Chain;
+  bool NoMerge;
 
 public:
   BuiltinCall(TargetLowering::CallLoweringInfo &CLI,
               SmallVectorImpl<SDValue> &Results)
       : DAG(CLI.DAG), DL(CLI.DL), Arguments(CLI.OutVals), Results(Results),
-        Chain(CLI.Chain) {}
+        Chain(CLI.Chain), NoMerge(CLI.NoMerge) {}
 
   /// Emits the node; returns the chain behind the call.
   SDValue lower(TPBuiltin::ID Builtin, const Function &Callee);
@@ -39,8 +41,12 @@ private:
   SDValue specialRegister(unsigned Opcode, unsigned Number);
   SDValue effect(unsigned Opcode, ArrayRef<SDValue> Operands);
   SDValue atomic(unsigned Opcode);
+  /// Puts words into registers that a node with \p Glue as operand reads.
+  void copyToRegisters(ArrayRef<MCPhysReg> Registers, ArrayRef<SDValue> Words,
+                       SDValue &Glue);
   SDValue hostCall(SDValue Service);
-  SDValue immediate(const Function &Callee);
+  SDValue checkFailed(SDValue Code);
+  SDValue immediate(const Function &Callee, uint32_t Limit = 0x10000);
 };
 
 } // namespace
@@ -79,13 +85,27 @@ SDValue BuiltinCall::atomic(unsigned Opcode) {
   return Result.getValue(1);
 }
 
-SDValue BuiltinCall::hostCall(SDValue Service) {
-  constexpr MCPhysReg Registers[] = {TP::R4, TP::R5, TP::R6};
-  SDValue Glue;
-  for (auto [Reg, Argument] : zip_equal(Registers, Arguments.drop_front())) {
-    Chain = DAG.getCopyToReg(Chain, DL, Reg, Argument, Glue);
+void BuiltinCall::copyToRegisters(ArrayRef<MCPhysReg> Registers,
+                                  ArrayRef<SDValue> Words, SDValue &Glue) {
+  for (auto [Reg, Word] : zip_equal(Registers, Words)) {
+    Chain = DAG.getCopyToReg(Chain, DL, Reg, Word, Glue);
     Glue = Chain.getValue(1);
   }
+}
+
+SDValue BuiltinCall::checkFailed(SDValue Code) {
+  SDValue Glue;
+  copyToRegisters({TP::R4, TP::R5, TP::R6, TP::R7, TP::R8, TP::R9},
+                  Arguments.drop_front(), Glue);
+  SDValue Break =
+      DAG.getNode(TPISD::FP_CHECK_FAILED, DL, MVT::Other, {Chain, Code, Glue});
+  DAG.addNoMergeSiteInfo(Break.getNode(), NoMerge);
+  return Break;
+}
+
+SDValue BuiltinCall::hostCall(SDValue Service) {
+  SDValue Glue;
+  copyToRegisters({TP::R4, TP::R5, TP::R6}, Arguments.drop_front(), Glue);
   Chain = DAG.getNode(TPISD::HOSTCALL, DL, DAG.getVTList(MVT::Other, MVT::Glue),
                       {Chain, Service, Glue});
   SDValue Result =
@@ -94,16 +114,16 @@ SDValue BuiltinCall::hostCall(SDValue Service) {
   return Result.getValue(1);
 }
 
-/// The first argument, which has to be a constant of 16 bits.
-SDValue BuiltinCall::immediate(const Function &Callee) {
+/// The first argument, which has to be a constant below \p Limit.
+SDValue BuiltinCall::immediate(const Function &Callee, uint32_t Limit) {
   if (auto *Value = dyn_cast<ConstantSDNode>(Arguments[0]))
-    if (isUInt<16>(Value->getZExtValue()))
+    if (Value->getZExtValue() < Limit)
       return DAG.getTargetConstant(Value->getZExtValue(), DL, MVT::i32);
-  DAG.getContext()->diagnose(
-      DiagnosticInfoUnsupported(DAG.getMachineFunction().getFunction(),
-                                "the first argument of '" + Callee.getName() +
-                                    "' has to be a constant from 0 to 65535",
-                                DL.getDebugLoc()));
+  DAG.getContext()->diagnose(DiagnosticInfoUnsupported(
+      DAG.getMachineFunction().getFunction(),
+      "the first argument of '" + Callee.getName() +
+          "' has to be a constant from 0 to " + Twine(Limit - 1),
+      DL.getDebugLoc()));
   return DAG.getTargetConstant(0, DL, MVT::i32);
 }
 
@@ -153,7 +173,9 @@ SDValue BuiltinCall::lower(TPBuiltin::ID Builtin, const Function &Callee) {
   case ID::prof:
     return effect(TPISD::PROF, immediate(Callee));
   case ID::trap_break:
-    return effect(TPISD::BREAK, immediate(Callee));
+    return effect(TPISD::BREAK, immediate(Callee, tp::CheckFailure::FirstCode));
+  case ID::fp_check_failed:
+    return checkFailed(immediate(Callee));
   case ID::sleep:
     return effect(TPISD::SLEEP, Arguments);
   case ID::halt:

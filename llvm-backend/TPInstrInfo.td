@@ -63,6 +63,9 @@ def TPHalt : SDNode<"TPISD::HALT", SDT_TPRegister,
                     [SDNPHasChain, SDNPSideEffect]>;
 def TPBreak : SDNode<"TPISD::BREAK", SDT_TPImmediate,
                      [SDNPHasChain, SDNPSideEffect]>;
+// The values are in r4..r9, by glue.
+def TPFpCheckFailed : SDNode<"TPISD::FP_CHECK_FAILED", SDT_TPImmediate,
+                             [SDNPHasChain, SDNPInGlue, SDNPSideEffect]>;
 def TPProf : SDNode<"TPISD::PROF", SDT_TPImmediate,
                     [SDNPHasChain, SDNPSideEffect]>;
 // Arguments and result are in r4..r6 and r2, by glue.
@@ -499,6 +502,10 @@ def MFSR_COUNTER
 
 def BREAK : FormatControlI<58, "break", [(TPBreak timm:$imm)],
                            "trap with code imm">;
+// For the code generator: the values of a failed check are in registers.
+let isCodeGenOnly = 1, Uses = [R4, R5, R6, R7, R8, R9] in
+def BREAK_FP_CHECK : FormatControlI<58, "break", [(TPFpCheckFailed timm:$imm)],
+                                    "trap with code imm">;
 def PROF : FormatControlI<59, "prof", [(TPProf timm:$imm)],
                           "profile marker imm">;
 let Uses = [R4, R5, R6], Defs = [R2] in

@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/TPTargetTransformInfo.h"
+#include "llvm-backend/FloatingPoint/CheckPass.h"
 #include "llvm-backend/TPBuiltins.h"
 
 using namespace llvm;
@@ -16,6 +17,14 @@ TPTTIImpl::TPTTIImpl(const TPTargetMachine *TM, const Function &F)
 bool TPTTIImpl::isLoweredToCall(const Function *F) const {
   return TPBuiltin::getID(*F) == TPBuiltin::ID::None &&
          BaseT::isLoweredToCall(F);
+}
+
+bool TPTTIImpl::areInlineCompatible(const Function *Caller,
+                                    const Function *Callee) const {
+  // Whether an operation is checked is decided by the function that it is in.
+  return Caller->hasFnAttribute(CheckedFunctionAttribute) ==
+             Callee->hasFnAttribute(CheckedFunctionAttribute) &&
+         BaseT::areInlineCompatible(Caller, Callee);
 }
 
 unsigned TPTTIImpl::getNumberOfRegisters(unsigned ClassID) const {

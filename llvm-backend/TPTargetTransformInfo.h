@@ -30,6 +30,8 @@ public:
   TPTTIImpl(const TPTargetMachine *TM, const Function &F);
 
   bool isLoweredToCall(const Function *F) const override;
+  bool areInlineCompatible(const Function *Caller,
+                           const Function *Callee) const override;
 
   unsigned getNumberOfRegisters(unsigned ClassID) const override;
   TypeSize

@@ -6,6 +6,7 @@
 
 #include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
 #include "llvm-backend/FloatingPoint/Canonicalizer.h"
+#include "llvm-backend/FloatingPoint/CheckPass.h"
 #include "llvm-backend/FloatingPoint/Scope.h"
 #include "llvm/Passes/PassBuilder.h"
 

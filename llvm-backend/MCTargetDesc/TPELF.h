@@ -16,6 +16,14 @@ namespace TPELF {
 /// e_machine of TP objects and executables ("TP"; not registered).
 inline constexpr uint16_t EM_TP = 0x5450;
 
+/// The address that data which is not loaded (debug data, the section below)
+/// gives of code and data that are not in the program.
+inline constexpr uint32_t DeadAddress = 0xFFFFFFFF;
+
+/// A section that lists the functions with floating-point checks: of each its
+/// address and its size in bytes, one word each.
+inline constexpr const char CheckedFunctionsSection[] = ".tp_fp_checked";
+
 /// Types of relocations; see TPRelocations.def for what each one writes.
 enum Relocation : uint32_t {
 #define TP_RELOC(Name, Value) Name = (Value),

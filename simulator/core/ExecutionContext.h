@@ -17,8 +17,10 @@ namespace tp {
 
 /// The context of one instruction in the cycle model (see Bodies.h). It lives
 /// in registers of the host: what a body does not use costs nothing.
-template <Opcode Op, bool FlushToZero>
-class ExecutionContext : public FloatRules<FlushToZero> {
+template <Opcode Op, Subnormals Mode>
+class ExecutionContext : public FloatRules<Mode> {
+  using Rules = FloatRules<Mode>;
+
 public:
   /// What becomes of the thread after the instruction.
   enum class Outcome : uint8_t {
@@ -57,6 +59,17 @@ public:
     Kind = Outcome::Trap;
     TrapReason = Reason;
     Address = DataAddress;
+  }
+
+  float operand(float Value) {
+    if constexpr (Mode == Subnormals::Trap)
+      trapIfSubnormal(TrapKind::SubnormalOperand, Value);
+    return Rules::operand(Value);
+  }
+  float result(float Value) {
+    if constexpr (Mode == Subnormals::Trap)
+      trapIfSubnormal(TrapKind::SubnormalResult, Value);
+    return Rules::result(Value);
   }
 
   void branch(int32_t Offset) { jump(Pc + uint32_t(Offset)); }
@@ -216,6 +229,12 @@ public:
   }
 
 private:
+  void trapIfSubnormal(TrapKind Reason, float Value) {
+    bool IsSubnormal = Value != 0 && isBelowNormal(Value);
+    if (IsSubnormal && Kind != Outcome::Trap)
+      trap(Reason, toBits(Value));
+  }
+
   uint64_t now() const { return Runner.Epoch + Cycle; }
 
   ReadyWord readyAfter(uint32_t Latency, bool FromGlobal) const {

@@ -53,7 +53,7 @@ template <class Word> struct Slot {
   ReadyWord Result;
 };
 
-template <class Word, bool FlushToZero> struct Handlers {
+template <class Word, Subnormals Mode> struct Handlers {
   /// The handler of an opcode; of IllegalOpcode one that traps.
   static Handler<Word> of(Opcode Op) {
     static constexpr Handler<Word> Table[] = {
@@ -86,7 +86,7 @@ private:
   template <Opcode Op>
   __attribute__((preserve_none)) static void execute(TP_HANDLER_PARAMETERS) {
     using Instruction = Body<Op>;
-    using Context = ExecutionContext<Op, FlushToZero>;
+    using Context = ExecutionContext<Op, Mode>;
     using Outcome = typename Context::Outcome;
 
     ReadyWord Latest = latestSource<Instruction::NumSources>(T, S);

@@ -19,4 +19,14 @@ Program::Program(uint32_t TextBegin, std::span<const uint32_t> Words,
   this->ReadOnlyEnd = std::max(ReadOnlyEnd, textEnd());
 }
 
+void Program::addFloatChecked(uint32_t Begin, uint32_t End) {
+  FloatChecked.resize(Decoded.size());
+  for (uint32_t Address = Begin; Address < End; Address += 4)
+    FloatChecked.at((Address - TextBegin) / 4) = true;
+}
+
+bool Program::isFloatChecked(uint32_t Address) const {
+  return !FloatChecked.empty() && FloatChecked[(Address - TextBegin) / 4];
+}
+
 } // namespace tp

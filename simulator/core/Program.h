@@ -31,11 +31,19 @@ public:
   /// One per word of the text.
   std::span<const Instruction> instructions() const { return Decoded; }
 
+  /// The functions of [\p Begin, \p End) in the text are compiled with
+  /// floating-point checks: where the chip would flush a subnormal there, it
+  /// traps.
+  void addFloatChecked(uint32_t Begin, uint32_t End);
+  bool isFloatChecked(uint32_t Address) const;
+
 private:
   uint32_t TextBegin;
   uint32_t Entry;
   uint32_t ReadOnlyEnd;
   std::vector<Instruction> Decoded;
+  /// Empty, or one per word of the text.
+  std::vector<bool> FloatChecked;
 };
 
 } // namespace tp

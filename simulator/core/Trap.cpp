@@ -6,6 +6,8 @@
 
 #include "simulator/core/Trap.h"
 
+#include "llvm-backend/FloatingPoint/CheckFailure.h"
+
 #include <cstdio>
 
 namespace tp {
@@ -38,6 +40,12 @@ std::string Trap::what() const {
     return "break " + std::to_string(Address);
   case TrapKind::BadHostCall:
     return "bad host call " + std::to_string(Address);
+  case TrapKind::SubnormalOperand:
+    return "subnormal operand " + describeFloat(Address, CheckType::Float) +
+           " flushed to zero";
+  case TrapKind::SubnormalResult:
+    return "subnormal result " + describeFloat(Address, CheckType::Float) +
+           " flushed to zero";
   case TrapKind::BadStream:
     return at("bad stream at", Address);
   }

@@ -22,7 +22,8 @@ struct Trap {
   /// Address of the instruction that trapped.
   uint32_t Pc = 0;
   /// The offending data address; the address of the missing instruction; the
-  /// code of a `break`; the service of a bad host call.
+  /// code of a `break`; the service of a bad host call; the bits of a
+  /// subnormal.
   uint32_t Address = 0;
   /// Cycle in which the instruction would have issued.
   uint64_t Cycle = 0;

@@ -56,6 +56,8 @@ public:
 
 private:
   using Runner = TmRunner<Word>;
+  static constexpr Subnormals Mode =
+      FlushToZero ? Subnormals::Flush : Subnormals::Keep;
 
   void decodeText(const Program &Text);
   void prepareFree();
@@ -141,7 +143,10 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
   uint32_t Address = Text.textBegin();
   for (const Instruction &Decoded : Text.instructions()) {
-    Slot<Word> S{0, Handlers<Word, FlushToZero>::of(Decoded.Op), Decoded, 0};
+    Slot<Word> S{0, Handlers<Word, Mode>::of(Decoded.Op), Decoded, 0};
+    if constexpr (FlushToZero)
+      if (Text.isFloatChecked(Address))
+        S.Execute = Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
     if (Decoded.Op != IllegalOpcode) {
       uint32_t Bank = Address / 4 % Chip.IcacheBanks;
       S.Use = Word(Layout.use(unitOf(Decoded.Op), Bank));
@@ -151,7 +156,7 @@ void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
     Slots.push_back(S);
     Address += 4;
   }
-  Slots.push_back({0, Handlers<Word, FlushToZero>::endOfText(), {}, 0});
+  Slots.push_back({0, Handlers<Word, Mode>::endOfText(), {}, 0});
 }
 
 template <class Word, bool FlushToZero>

@@ -30,10 +30,14 @@ template <class T> constexpr uint32_t toBits(T Value) {
   return std::bit_cast<uint32_t>(Value);
 }
 
+/// Whether a value is subnormal or zero.
+inline bool isBelowNormal(float Value) {
+  return std::fabs(Value) < std::numeric_limits<float>::min();
+}
+
 /// A subnormal becomes zero of the same sign.
 inline float flushSubnormal(float Value) {
-  constexpr float SmallestNormal = std::numeric_limits<float>::min();
-  return std::fabs(Value) < SmallestNormal ? std::copysign(0.0f, Value) : Value;
+  return isBelowNormal(Value) ? std::copysign(0.0f, Value) : Value;
 }
 
 /// The canonical NaN for any NaN. In integers: the compiler may give any NaN
@@ -44,14 +48,24 @@ inline float canonicalized(float Value) {
   return fromBits<float>(IsNaN ? CanonicalNaN : Bits);
 }
 
+/// What becomes of subnormal operands and results: the chip's option, and
+/// whether the code at hand wants to know.
+enum class Subnormals : uint8_t {
+  Keep,
+  /// They become zero.
+  Flush,
+  /// They would become zero, and the instruction traps.
+  Trap,
+};
+
 /// What happens to the operands and results of arithmetic, conversion and
-/// compare instructions; \p FlushToZero is the chip's option.
-template <bool FlushToZero> struct FloatRules {
+/// compare instructions.
+template <Subnormals Mode> struct FloatRules {
   static float operand(float Value) {
-    return FlushToZero ? flushSubnormal(Value) : Value;
+    return Mode == Subnormals::Keep ? Value : flushSubnormal(Value);
   }
   static float result(float Value) {
-    if constexpr (FlushToZero)
+    if constexpr (Mode != Subnormals::Keep)
       Value = flushSubnormal(Value);
     return canonicalized(Value);
   }

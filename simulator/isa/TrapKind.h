@@ -33,6 +33,10 @@ enum class TrapKind : uint8_t {
   Break,
   /// A host call with an unknown service or a bad argument.
   BadHostCall,
+  /// A chip that flushes subnormals would lose an operand, or a result, of a
+  /// function compiled with floating-point checks.
+  SubnormalOperand,
+  SubnormalResult,
   /// A stream operation on something that is not a stream.
   BadStream,
 };

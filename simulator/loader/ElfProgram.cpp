@@ -12,6 +12,7 @@
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/Twine.h"
 #include "llvm/Object/ELFObjectFile.h"
+#include "llvm/Support/Endian.h"
 #include "llvm/Support/FileSystem.h"
 
 #include <algorithm>
@@ -46,6 +47,8 @@ Expected<ElfProgram> ElfProgram::load(StringRef Path) {
   if (llvm::Error E = Program.readSegments())
     return E;
   if (llvm::Error E = Program.readSymbols())
+    return E;
+  if (llvm::Error E = Program.readFloatChecked())
     return E;
   return Program;
 }
@@ -157,6 +160,41 @@ llvm::Error ElfProgram::readSymbols() {
     bool IsDefined = !(*Flags & object::SymbolRef::SF_Undefined);
     if (IsDefined && !Name->empty())
       Symbols.try_emplace(*Name, uint32_t(*Address));
+  }
+  return llvm::Error::success();
+}
+
+llvm::Error ElfProgram::readFloatChecked() {
+  for (const object::SectionRef &Section : Object->sections()) {
+    Expected<StringRef> Name = Section.getName();
+    if (!Name)
+      return error("the section table is damaged: " +
+                   toString(Name.takeError()));
+    if (*Name != TPELF::CheckedFunctionsSection)
+      continue;
+    Expected<StringRef> Contents = Section.getContents();
+    if (!Contents)
+      return error("the section " + *Name +
+                   " is damaged: " + toString(Contents.takeError()));
+    constexpr size_t EntryBytes = 2 * sizeof(uint32_t);
+    if (Contents->size() % EntryBytes != 0)
+      return error("is damaged: the section " + *Name + " has " +
+                   Twine(Contents->size()) + " bytes, no multiple of " +
+                   Twine(EntryBytes));
+    for (StringRef Rest = *Contents; !Rest.empty();
+         Rest = Rest.drop_front(EntryBytes)) {
+      uint32_t Begin = support::endian::read32le(Rest.data());
+      uint32_t Size = support::endian::read32le(Rest.data() + sizeof(Begin));
+      if (Begin == TPELF::DeadAddress)
+        continue;
+      uint64_t End = uint64_t(Begin) + Size;
+      if (Begin % 4 != 0 || Begin < text().Address ||
+          End > text().Address + text().Contents.size())
+        return error("is damaged: the section " + *Name +
+                     " lists a function at " + hex(Begin) +
+                     " that is not in the code");
+      FloatChecked.push_back({Begin, uint32_t(End)});
+    }
   }
   return llvm::Error::success();
 }

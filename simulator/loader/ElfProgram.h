@@ -33,6 +33,12 @@ struct Segment {
   uint64_t end() const { return uint64_t(Address) + Size; }
 };
 
+/// A part of the program's text.
+struct AddressRange {
+  uint32_t Begin = 0;
+  uint32_t End = 0;
+};
+
 /// An executable that has been checked: everything in it can be used as it is.
 class ElfProgram {
 public:
@@ -54,6 +60,8 @@ public:
   uint64_t imageEnd() const;
   /// Address of a symbol of the file's symbol table.
   std::optional<uint32_t> symbol(llvm::StringRef Name) const;
+  /// The functions that were compiled with floating-point checks.
+  llvm::ArrayRef<AddressRange> floatChecked() const { return FloatChecked; }
   /// The whole file, for debug information.
   const llvm::object::ObjectFile &object() const { return *Object; }
 
@@ -65,10 +73,12 @@ private:
   std::vector<Segment> Segments;
   size_t TextIndex = 0;
   llvm::StringMap<uint32_t> Symbols;
+  std::vector<AddressRange> FloatChecked;
 
   llvm::Error readHeader();
   llvm::Error readSegments();
   llvm::Error readSymbols();
+  llvm::Error readFloatChecked();
   llvm::Error error(const llvm::Twine &What) const;
 };
 

@@ -41,7 +41,10 @@ static Program decodeText(const ElfProgram &Elf) {
   std::vector<uint32_t> Words(Text.Contents.size() / sizeof(uint32_t));
   std::memcpy(Words.data(), Text.Contents.data(),
               Words.size() * sizeof(uint32_t));
-  return Program(Text.Address, Words, Elf.entry(), uint32_t(Text.end()));
+  Program Decoded(Text.Address, Words, Elf.entry(), uint32_t(Text.end()));
+  for (const AddressRange &Function : Elf.floatChecked())
+    Decoded.addFloatChecked(Function.Begin, Function.End);
+  return Decoded;
 }
 
 /// Fails now and not after hours if \p Path cannot be written.

@@ -6,6 +6,7 @@
 
 #include "simulator/tools/TrapMessage.h"
 
+#include "llvm-backend/FloatingPoint/CheckFailure.h"
 #include "simulator/isa/Instructions.h"
 
 #include "llvm/Support/Endian.h"
@@ -26,6 +27,20 @@ static bool isBelowLocalStore(uint32_t Address, const ChipConfig &Chip) {
   constexpr uint64_t LargestLikelyFrame = 1 << 20;
   return Address < Begin && Address >= Begin - LargestLikelyFrame &&
          Address >= Chip.MemoryBytes;
+}
+
+/// What the failed check that ends in a `break` says of itself; nothing for
+/// another trap.
+static std::optional<std::string>
+failedCheck(const Trap &T, const RegisterFunction &Registers) {
+  if (T.Kind != TrapKind::Break || !CheckFailure::isCode(T.Address))
+    return std::nullopt;
+  // CheckFailure.h: the low words, then the high words.
+  constexpr unsigned FirstLow = 4, FirstHigh = 7;
+  std::array<uint64_t, 3> Values;
+  for (unsigned I = 0; I != Values.size(); ++I)
+    Values[I] = Make_64(Registers(FirstHigh + I), Registers(FirstLow + I));
+  return CheckFailure::fromCode(T.Address).describe(Values);
 }
 
 /// The instruction at \p Pc with its operands by name and the values that it
@@ -59,8 +74,14 @@ static std::string instructionText(uint32_t Pc, const ElfProgram &Program,
     }
     bool IsFloat = Operand.Kind == OperandKind::FloatRegister;
     OS << (IsFloat ? 'f' : 'r') << Field;
-    if (!Operand.IsDestination)
-      OS << " (" << address(Registers(Field + (IsFloat ? 32 : 0))) << ')';
+    if (Operand.IsDestination)
+      continue;
+    if (IsFloat)
+      OS << ": "
+         << describeFloat(Registers(Field + NumIntegerRegisters),
+                          CheckType::Float);
+    else
+      OS << " (" << address(Registers(Field)) << ')';
   }
   return Line;
 }
@@ -71,8 +92,9 @@ std::string trapMessage(const Trap &T, const ChipConfig &Chip,
   std::string Message;
   raw_string_ostream OS(Message);
   OS << "thread " << T.Thread << " (TM " << T.Thread / Chip.TpsPerTm << ", TP "
-     << T.Thread % Chip.TpsPerTm << ") trapped at cycle " << T.Cycle << ": "
-     << T.what();
+     << T.Thread % Chip.TpsPerTm << ") trapped at cycle " << T.Cycle << ": ";
+  std::optional<std::string> Check = failedCheck(T, Registers);
+  OS << (Check ? *Check : T.what());
   if (T.Kind == TrapKind::AddressOutOfRange &&
       isBelowLocalStore(T.Address, Chip))
     OS << "\n  stack overflow: the local store of " << Chip.LocalStoreBytes
@@ -83,6 +105,8 @@ std::string trapMessage(const Trap &T, const ChipConfig &Chip,
   for (size_t I = 0; I != Frames.size(); ++I)
     OS << (I ? "\n    inlined " : " ") << Symbolizer::describe(Frames[I]);
 
+  if (Check)
+    return Message;
   if (std::string Text = instructionText(T.Pc, Program, Registers);
       !Text.empty())
     OS << "\n  instruction: " << Text;

@@ -67,7 +67,7 @@ void reportUndefinedSymbols(ArrayRef<std::unique_ptr<ElfObject>> Objects,
 static uint32_t deadAddress(const InputSection &Section) {
   return Section.Name == ".debug_loc" || Section.Name == ".debug_ranges"
              ? 1
-             : 0xFFFFFFFF;
+             : TPELF::DeadAddress;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/link/WholeProgram.h"
+#include "llvm-backend/FloatingPoint/CheckPass.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/link/LibraryFunctions.h"
 #include "llvm/Analysis/CGSCCPassManager.h"
@@ -152,6 +153,10 @@ void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
       Replaced.push_back(&Global);
   for (GlobalValue *Global : Replaced)
     dropDefinition(*Global);
+  // It uses infinities and NaNs on purpose.
+  for (Function &F : *Runtime)
+    if (!F.isDeclaration())
+      F.addFnAttr(UncheckedFunctionAttribute);
   add(std::move(Runtime), Name);
 }
 
