@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Measures what fast math gains on the chip, and how much of that is kept when
+the bits no longer depend on context.
+
+Simulated cycles and instructions of the path tracer, the BVH builders and some
+loops (bench/FloatLoops.cpp) under strict float rules, stock fast math (the pass
+tp-fp-canonicalize switched off) and ours. The gain kept is (strict - ours) /
+(strict - stock). Simulated cycles do not vary: one run measures."""
+
+import argparse
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+STOCK = ["-mllvm", "-tp-fp-canonicalize=0"]
+INFINITIES = ["-ffast-math", "-fno-finite-math-only"]
+FLAG_SETS = {
+    "strict": ["-ftp-fp=strict"],
+    "stock": ["-ffast-math", *STOCK],
+    "fast": ["-ftp-fp=fast"],
+    "stock-inf": [*INFINITIES, *STOCK],
+    "fast-inf": INFINITIES,
+    "reproducible": ["-ftp-fp=reproducible"],
+}
+# Ours, and the stock compiler's set of flags to compare with.
+COMPARED = {"fast": "stock", "fast-inf": "stock-inf", "reproducible": "stock-inf"}
+
+BVH = ["kernels/bvhbuilder/BuildBvh.cpp", "kernels/bvhbuilder/SceneBvh.cpp",
+       "kernels/bvh/WideBvh.cpp"]
+CORNELL = ROOT / "scenes/cornell/cornell.gltf"
+# Below this share of the strict cycles, stock's gain is noise of the schedule.
+LEAST_GAIN = 0.005
+
+
+class Bench:
+    def __init__(self, binaries, folder):
+        self.binaries = binaries
+        self.folder = folder
+
+    def run(self, command):
+        result = subprocess.run([str(word) for word in command], text=True,
+                                capture_output=True, check=False)
+        if result.returncode != 0:
+            sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
+        return result.stdout
+
+    def compile(self, sources, flags):
+        program = self.folder / "program.elf"
+        self.run([self.binaries / "tpcc", "-O3", *flags, "-I", ROOT,
+                  *(ROOT / source for source in sources), "-o", program])
+        return program
+
+    def simulate(self, program, chip, *options):
+        return self.run([self.binaries / "tpsim", program, "--quiet",
+                         "--chip", chip, *options])
+
+    def statistics(self, program, chip, *options):
+        """(cycles, instructions) of a whole run."""
+        path = self.folder / "statistics.json"
+        self.simulate(program, chip, *options, "--stats", path)
+        summary = json.loads(path.read_text(encoding="utf-8"))["run"]
+        return summary["cycles"], summary["instructions"]
+
+    def path_tracer(self, flags, size):
+        program = self.compile(["kernels/pathtracer/PathTracer.cpp"], flags)
+        return {"path tracer": self.statistics(
+            program, "report-512x8", "--scene", CORNELL, "--size", size,
+            "--spp", "1", "--depth", "4")}
+
+    def builders(self, flags, scene):
+        found = {}
+        for name, source in [
+                ("builder", "kernels/bvh/BvhBuilder.cpp"),
+                ("two-pass builder", "kernels/examples/TwoPassBuilder.cpp")]:
+            program = self.compile([*BVH, source], flags)
+            found[name] = self.statistics(program, "1x1", "--scene", scene,
+                                          "--bvh", "kernel")
+        return found
+
+    def loops(self, flags):
+        program = self.compile(["bench/FloatLoops.cpp"], flags)
+        found = {}
+        for line in self.simulate(program, "1x1").splitlines():
+            name, cycles, instructions, _ = line.split()
+            found[name] = int(cycles), int(instructions)
+        return found
+
+    def write_scene(self):
+        """A mesh on which the two-pass builder does not fail."""
+        scene = self.folder / "knot.glb"
+        self.run([sys.executable, ROOT / "scenes/knot/make_knot.py", scene,
+                  "80", "24"])
+        return scene
+
+
+def gain_kept(strict, stock, ours):
+    """None where stock gains nothing that could be kept."""
+    if strict - stock < LEAST_GAIN * strict:
+        return None
+    return (strict - ours) / (strict - stock)
+
+
+def print_measures(results, quantity, index):
+    print(f"\n{quantity}".ljust(18) + "".join(
+        f"{name:>14}" for name in FLAG_SETS))
+    for kernel, by_flags in results.items():
+        print(f"{kernel:17}" + "".join(
+            f"{by_flags[name][index]:14,}" for name in FLAG_SETS))
+
+
+def print_gains(results):
+    """Speed-ups over strict, the gain kept in cycles, and totals."""
+    print("\nstrict cycles over those of        " + "".join(
+        f"{name:>14}" for name in list(FLAG_SETS)[1:]))
+    for kernel, by_flags in results.items():
+        print(f"{kernel:35}" + "".join(
+            f"{by_flags['strict'][0] / by_flags[name][0]:14.3f}"
+            for name in list(FLAG_SETS)[1:]))
+    print("\ngain kept, of the stock compiler's " + "".join(
+        f"{name:>14}" for name in COMPARED))
+    for kernel, by_flags in results.items():
+        cells = []
+        for ours, stock in COMPARED.items():
+            kept = gain_kept(*(by_flags[name][0]
+                               for name in ("strict", stock, ours)))
+            cells.append("stock gains 0" if kept is None else f"{kept:.0%}")
+        print(f"{kernel:35}" + "".join(f"{cell:>14}" for cell in cells))
+    print(f"{'all, by geometric mean':35}" + "".join(
+        f"{mean_gain_kept(results, ours):14.0%}" for ours in COMPARED))
+
+
+def mean_gain_kept(results, ours):
+    """With logarithms of cycles, so that every kernel weighs alike."""
+    def mean(name):
+        return math.fsum(math.log(r[name][0]) for r in results.values())
+    strict = mean("strict")
+    return (strict - mean(ours)) / (strict - mean(COMPARED[ours]))
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/bin")
+    parser.add_argument("--size", default="128x128",
+                        help="of the path tracer's picture (128x128)")
+    parser.add_argument("--json", help="also write the figures to this file")
+    arguments = parser.parse_args()
+
+    results = {}
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(arguments.bin, pathlib.Path(folder))
+        scene = bench.write_scene()
+        for name, flags in FLAG_SETS.items():
+            for kernel, figures in {
+                    **bench.path_tracer(flags, arguments.size),
+                    **bench.builders(flags, scene),
+                    **bench.loops(flags)}.items():
+                results.setdefault(kernel, {})[name] = figures
+    print_measures(results, "cycles", 0)
+    print_measures(results, "instructions", 1)
+    print_gains(results)
+    if arguments.json:
+        pathlib.Path(arguments.json).write_text(
+            json.dumps(results, indent=2) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
