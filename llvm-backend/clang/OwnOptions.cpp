@@ -52,13 +52,9 @@ static constexpr const char *Strict[] = {"-fno-fast-math", "-fno-math-errno",
 static constexpr const char *Reproducible[] = {
     "-fassociative-math", "-freciprocal-math", "-fapprox-func",
     "-fno-signed-zeros",  "-fno-math-errno",   "-ffp-contract=off"};
-// -ffast-math by its parts: clang warns when a later flag changes a part of
-// -ffast-math, and would name an option that the user has not written.
-static constexpr const char *Fast[] = {
-    "-ffinite-math-only",         "-fassociative-math",
-    "-freciprocal-math",          "-fapprox-func",
-    "-fno-signed-zeros",          "-fno-math-errno",
-    "-fcomplex-arithmetic=basic", "-ffp-contract=fast"};
+// The second part keeps clang from warning, of an option that the user has not
+// written, when a later one changes contraction.
+static constexpr const char *Fast[] = {"-ffast-math", "-ffp-contract=fast"};
 static constexpr const char *Checked[] = {"-mllvm", "-tp-fp-check",
                                           "-D__TP_CHECK_FP__=1"};
 static constexpr const char *LineTables[] = {"-gline-tables-only"};
@@ -117,7 +113,7 @@ bool isOwnFloatingPointOption(StringRef Word) {
 static void printHelp(raw_ostream &Stream, StringRef Name, StringRef Help) {
   constexpr unsigned Column = 27, Width = 80;
   Stream << "  " << left_justify(Name, Column - 2);
-  size_t Used = std::max<size_t>(Column, Name.size() + 2);
+  size_t Used = Name.size() + 2 < Column ? Column : Width;
   while (!Help.empty()) {
     auto [Word, Rest] = Help.split(' ');
     if (Used + 1 + Word.size() > Width) {
@@ -159,6 +155,7 @@ private:
 
   std::map<OptionGroup, size_t> LastOfGroup;
   std::optional<size_t> Preset;
+  const char *LastContraction = "-ffp-contract=off";
   bool IsUnwarned = false;
 };
 
@@ -190,6 +187,9 @@ void Translation::copy(const CommandLineOption &Option) {
   case OPT_end_no_unused_arguments:
     IsUnwarned = false;
     break;
+  case OPT_ffp_contract:
+    LastContraction = Option.Words.front();
+    break;
   case OPT_mllvm: // Also an option of the link.
     return appendUnwarned(Option.Words);
   case OPT_W_Joined:
@@ -200,9 +200,12 @@ void Translation::copy(const CommandLineOption &Option) {
     break;
   }
   append_range(Result.Words, Option.Words);
-  // Clang goes back to its own default, tpcc to tpcc's.
+  // Clang goes back to its own defaults, tpcc to the user's and tpcc's.
   if (Option.ID == OPT_fno_fast_math || Option.ID == OPT_ffp_model_EQ)
     appendUnwarned({"-fno-math-errno"});
+  if (Option.ID == OPT_fno_fast_math ||
+      Option.ID == OPT_fno_unsafe_math_optimizations)
+    appendUnwarned({LastContraction});
 }
 
 Error Translation::translate(const CommandLineOption &Option, size_t Index) {

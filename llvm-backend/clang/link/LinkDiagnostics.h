@@ -7,6 +7,7 @@
 #ifndef TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H
 #define TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H
 
+#include "llvm-backend/clang/warnings/WarningOptions.h"
 #include "llvm/ADT/Twine.h"
 #include "llvm/Support/WithColor.h"
 #include "llvm/Support/raw_ostream.h"
@@ -22,6 +23,11 @@ public:
   }
   void warning(const llvm::Twine &Message) {
     llvm::WithColor::warning(llvm::errs(), "tpcc") << Message << '\n';
+  }
+  /// Reports a warning that has an option, at the level that it asks for.
+  void report(const WarningOptions &Options, FloatingPointWarning Warning,
+              const llvm::Twine &Message) {
+    Errors += reportWarning(Options, Warning, Message);
   }
   bool hasErrors() const { return Errors != 0; }
 

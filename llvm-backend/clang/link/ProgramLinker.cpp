@@ -6,6 +6,7 @@
 
 #include "llvm-backend/clang/link/ProgramLinker.h"
 #include "llvm-backend/clang/link/ElfLinker.h"
+#include "llvm-backend/clang/link/InfinityAssumptions.h"
 #include "llvm-backend/clang/link/InputFiles.h"
 #include "llvm-backend/clang/link/WholeProgram.h"
 #include "llvm/Bitcode/BitcodeReader.h"
@@ -90,8 +91,14 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
   Files.resolveArchives();
 
   WholeProgram Program(Context, Diags);
-  for (InputFiles::NamedUnit &Unit : Files.Units)
+  InfinityAssumptions Infinities;
+  for (InputFiles::NamedUnit &Unit : Files.Units) {
+    Infinities.add(*Unit.Unit);
     Program.add(std::move(Unit.Unit), Unit.Name);
+  }
+  for (MemoryBufferRef Object : Files.Objects)
+    Infinities.add(Object);
+  Infinities.report(Options.Warnings, Diags);
   reportDuplicates(Program, Files, Diags);
   if (!Options.RuntimePath.empty())
     addRuntime(Program, Context, Options, Files, Diags);
