@@ -49,6 +49,9 @@ void TPSubtarget::initLibcallLoweringInfo(LibcallLoweringInfo &Info) const {
     if (RTLIB::LibcallImpl Impl = DefaultInfo.getLibcallImpl(Call);
         Impl != RTLIB::Unsupported)
       Info.setLibcallImpl(Call, Impl);
+  // The runtime's fmin and fmax prefer numbers and order zeros.
+  Info.setLibcallImpl(RTLIB::FMINIMUM_NUM_F64, RTLIB::impl_fmin);
+  Info.setLibcallImpl(RTLIB::FMAXIMUM_NUM_F64, RTLIB::impl_fmax);
 }
 
 /// Whether a memory operand is surely in the local store.

@@ -178,3 +178,12 @@ define half @halves(half %a, half %b) {
   %c = fadd half %a, %b
   ret half %c
 }
+; The runtime's fmin and fmax order zeros and prefer numbers.
+define double @extremes(double %a, double %b) {
+; CHECK-LABEL: extremes:
+; CHECK: jal fmin{{$}}
+; CHECK: jal fmax{{$}}
+  %c = call double @llvm.minimumnum.f64(double %a, double %b)
+  %d = call double @llvm.maximumnum.f64(double %c, double %b)
+  ret double %d
+}
