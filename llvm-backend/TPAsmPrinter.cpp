@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/FloatingPoint/CheckPass.h"
+#include "llvm-backend/FloatingPoint/FloatingPointUnits.h"
 #include "llvm-backend/MCTargetDesc/TPELF.h"
 #include "llvm-backend/MCTargetDesc/TPInstPrinter.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
@@ -43,6 +44,7 @@ public:
 
   void emitInstruction(const MachineInstr *MI) override;
   void emitFunctionBodyEnd() override;
+  void emitEndOfAsmFile(Module &M) override;
   bool PrintAsmOperand(const MachineInstr *MI, unsigned OpNo,
                        const char *ExtraCode, raw_ostream &OS) override;
   bool PrintAsmMemoryOperand(const MachineInstr *MI, unsigned OpNo,
@@ -81,6 +83,16 @@ void TPAsmPrinter::emitFunctionBodyEnd() {
   OutStreamer->emitSymbolValue(CurrentFnSym, 4);
   OutStreamer->emitAbsoluteSymbolDiff(End, CurrentFnSym, 4);
   OutStreamer->popSection();
+}
+
+/// Tells the linker what the unit assumes of infinities.
+void TPAsmPrinter::emitEndOfAsmFile(Module &M) {
+  SmallVector<FloatingPointUnit> Units = floatingPointUnits(M);
+  if (Units.empty())
+    return;
+  OutStreamer->switchSection(OutContext.getELFSection(
+      FloatingPointUnitsSection, ELF::SHT_PROGBITS, ELF::SHF_EXCLUDE));
+  OutStreamer->emitBytes(encodeFloatingPointUnits(Units));
 }
 
 void TPAsmPrinter::printOperand(const MachineOperand &Operand,

@@ -92,16 +92,17 @@ static constexpr const char *OtherExtreme[] = {
     "-ftp-check-fp"};
 
 namespace {
-/// Tells the properties that an option sets whatever stands before it.
+/// Tells the properties that an option sets, whatever stands before it.
 class SetProperties {
 public:
   explicit SetProperties(const FloatingPointResolver &Resolver)
       : Resolver(Resolver),
         Without{under(OneExtreme, {}), under(OtherExtreme, {})} {}
 
-  /// For each property, whether \p Option sets it.
+  /// For each property, whether \p Option sets it to its value in \p After.
   std::array<bool, NumFloatingPointProperties>
-  operator()(const CommandLineOption &Option) const;
+  operator()(const CommandLineOption &Option,
+             const FloatingPointSettings &After) const;
 
 private:
   std::optional<FloatingPointSettings>
@@ -117,7 +118,8 @@ private:
 } // namespace
 
 std::array<bool, NumFloatingPointProperties>
-SetProperties::operator()(const CommandLineOption &Option) const {
+SetProperties::operator()(const CommandLineOption &Option,
+                          const FloatingPointSettings &After) const {
   std::array<bool, NumFloatingPointProperties> Sets{};
   auto One = under(OneExtreme, Option.Words);
   auto Other = under(OtherExtreme, Option.Words);
@@ -126,7 +128,8 @@ SetProperties::operator()(const CommandLineOption &Option) const {
   for (size_t I = 0; I < NumFloatingPointProperties; ++I) {
     auto Property = static_cast<FloatingPointProperty>(I);
     Sets[I] = (*Without[0])[Property] != (*Without[1])[Property] &&
-              (*One)[Property] == (*Other)[Property];
+              (*One)[Property] == After[Property] &&
+              (*Other)[Property] == After[Property];
   }
   return Sets;
 }
@@ -151,7 +154,7 @@ decideFloatingPoint(const FloatingPointResolver &Resolver,
     if (!After)
       continue;
     std::array<bool, NumFloatingPointProperties> Sets =
-        SetsProperties(Options[Index]);
+        SetsProperties(Options[Index], *After);
     for (size_t I = 0; I < NumFloatingPointProperties; ++I) {
       auto Property = static_cast<FloatingPointProperty>(I);
       if (Sets[I] || (*After)[Property] != (*Before)[Property])
