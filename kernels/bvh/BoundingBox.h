@@ -19,7 +19,9 @@ constexpr float component(Vector3 V, unsigned Axis) {
 /// An axis-aligned box. The empty box is upside down, with finite sides so that
 /// it needs no infinities (which -ffinite-math-only would break).
 struct BoundingBox {
-  static constexpr float Far = 3.0e38f;
+  /// Behind every scene, and so near that RayBoxTester's products with it are
+  /// finite too.
+  static constexpr float Far = 1.0e20f;
 
   Vector3 Lower = {Far, Far, Far};
   Vector3 Upper = {-Far, -Far, -Far};

@@ -154,7 +154,7 @@ bool Builder::findSplit(const Range &Primitives, const BinMapping &Mapping,
   const float Area = Primitives.Box.halfArea();
   if (!(Area > 0.0f))
     return false;
-  constexpr float NoSplit = BoundingBox::Far;
+  constexpr float NoSplit = 3.0e38f;
   Best = {0, 0, NoSplit};
   Bin Bins[3][BinCount];
   for (uint32_t At = Primitives.Begin; At != Primitives.End; ++At) {
