@@ -40,6 +40,7 @@ FLAG_SETS = {
     "no-signed-zeros": (["-fno-signed-zeros"],),
     "finite": (["-ffinite-math-only"],),
     "contract": (["-ffp-contract=fast"],),
+    "fused": (["-ftp-fp=fast", "-mfma"], ["-ffast-math", "-mfma"]),
 }
 BUILDERS = {
     "binned": "kernels/bvh/BvhBuilder.cpp",
