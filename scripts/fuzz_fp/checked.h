@@ -53,9 +53,9 @@ public:
 
 #define CHECKED_OPERATOR(OPERATOR)                                             \
   friend Checked operator OPERATOR(Checked A, Checked B) {                     \
-    return A.used() OPERATOR B.used();                                           \
+    return A.used() OPERATOR B.used();                                         \
   }                                                                            \
-  Checked &operator OPERATOR##=(Checked B) {                                   \
+  Checked &operator OPERATOR## = (Checked B) {                                 \
     return *this = *this OPERATOR B;                                           \
   }
   CHECKED_OPERATOR(+)
@@ -66,7 +66,7 @@ public:
 
 #define CHECKED_COMPARISON(OPERATOR)                                           \
   friend bool operator OPERATOR(Checked A, Checked B) {                        \
-    return A.used() OPERATOR B.used();                                           \
+    return A.used() OPERATOR B.used();                                         \
   }
   CHECKED_COMPARISON(<)
   CHECKED_COMPARISON(>)
@@ -75,7 +75,7 @@ public:
 #undef CHECKED_COMPARISON
 
 #define CHECKED_UNARY(FUNCTION)                                                \
-  friend Checked FUNCTION##f(Checked A) { return ::FUNCTION##f(A.used()); }     \
+  friend Checked FUNCTION##f(Checked A) { return ::FUNCTION##f(A.used()); }    \
   friend Checked FUNCTION(Checked A) { return ::FUNCTION(A.used()); }
   CHECKED_UNARY(sqrt)
   CHECKED_UNARY(fabs)
@@ -83,10 +83,10 @@ public:
 
 #define CHECKED_BINARY(FUNCTION)                                               \
   friend Checked FUNCTION##f(Checked A, Checked B) {                           \
-    return ::FUNCTION##f(A.used(), B.used());                                    \
+    return ::FUNCTION##f(A.used(), B.used());                                  \
   }                                                                            \
   friend Checked FUNCTION(Checked A, Checked B) {                              \
-    return ::FUNCTION(A.used(), B.used());                                       \
+    return ::FUNCTION(A.used(), B.used());                                     \
   }
   CHECKED_BINARY(fmin)
   CHECKED_BINARY(fmax)

@@ -81,7 +81,9 @@ public:
     *End++ = ' ';
     digits(Value);
   }
-  template <class Real> [[gnu::noinline]] void value(Real Value) { word(bitsOf(Value)); }
+  template <class Real> [[gnu::noinline]] void value(Real Value) {
+    word(bitsOf(Value));
+  }
 
   /// A context with several evaluations, which should all be \p Direct.
   template <class Real>
