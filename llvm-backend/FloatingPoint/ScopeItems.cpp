@@ -43,10 +43,16 @@ static bool isFree(const Instruction &I) {
   return false;
 }
 
-static bool hasPromises(const Function &F) {
-  return promisesClasses(F.getAttributes()) ||
-         any_of(FunctionPromises,
-                [&](StringRef Promise) { return F.hasFnAttribute(Promise); });
+// What a function promises of its arithmetic matters only if it has some.
+static bool hasPromises(Function &F) {
+  if (promisesClasses(F.getAttributes()))
+    return true;
+  bool PromisesOfArithmetic = any_of(FunctionPromises, [&](StringRef Promise) {
+    return F.hasFnAttribute(Promise);
+  });
+  return PromisesOfArithmetic &&
+         any_of(instructions(F),
+                [](const Instruction &I) { return isa<FPMathOperator>(I); });
 }
 
 SmallVector<ScopeItem> llvm::scopeItems(Function &F) {

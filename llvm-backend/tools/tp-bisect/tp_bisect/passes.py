@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Which step of the optimizer makes the program bad, by -opt-bisect-limit."""
+
+import re
+from dataclasses import dataclass, replace
+
+from tp_bisect.delta import first_bad_step
+from tp_bisect.ir import changes, read_dumps, trimmed_diff
+from tp_bisect.places import with_line_tables
+
+_STEP = re.compile(r"^BISECT: (?:NOT )?running pass \((\d+)\) (.*)$", re.M)
+_NUMBERED = re.compile(r"^ *Running pass (\d+) (\S+) on (.*)$")
+_CANONICALIZER = "FloatingPointCanonicalizerPass"
+_QUIET = "-opt-bisect-verbose=0"
+_CONTEXT = 2
+_MOST_LINES = 60
+
+
+@dataclass
+class PassStep:
+    """The step and what it changed.
+
+    `kind` is `pass`, `canonicalizer`, `code generator` (bad without any
+    optional pass) or empty, then `problem` says why.
+    """
+
+    kind: str = ""
+    problem: str = ""
+    number: int = 0
+    last_good: int = 0
+    total: int = 0
+    description: str = ""
+    changes: tuple = ()
+    configuration: object = None
+
+
+def find_pass(evaluator, progress, configuration, functions):
+    """Searches the step that makes a bad configuration bad."""
+    base = replace(
+        configuration,
+        flags=(*with_line_tables(configuration.flags), "-fno-discard-value-names"),
+    )
+    progress.phase("counting the optimizer's steps")
+    log = evaluator.build_log(base.with_last_pass(-1))
+    steps = [int(n) for n, _ in _STEP.findall(log or "")]
+    if not steps:
+        return PassStep(problem="the build prints no optimizer steps")
+    total = max(steps)
+    quiet = base.with_options(_QUIET)
+    without = evaluator.judge(quiet.with_last_pass(0))
+    if without.is_bad:
+        return _find_required(evaluator, progress, base, total, functions)
+    if without.is_bad is None:
+        return PassStep(problem=without.reason, total=total)
+    progress.phase(f"searching {total} optimizer steps")
+
+    def judge_all(numbers):
+        progress.detail(f"{numbers[0]}..{numbers[-1]}")
+        return evaluator.are_bad([quiet.with_last_pass(n) for n in numbers])
+
+    number, last_good = first_bad_step(0, total, evaluator.jobs, judge_all)
+    if number == total and not judge_all([total])[0]:
+        return PassStep(
+            problem="with line tables and value names the program is good",
+            total=total,
+        )
+    found = PassStep("pass", "", number, last_good, total)
+    found.configuration = base.with_last_pass(number)
+    _describe(evaluator, progress, found, functions)
+    return found
+
+
+def _describe(evaluator, progress, step, functions):
+    """Names the step and fetches the IR around it."""
+    progress.phase(f"printing the IR around step {step.number}")
+    log = evaluator.build_log(step.configuration.with_options("-print-pass-numbers"))
+    lines = (log or "").splitlines()
+    wanted = f"BISECT: running pass ({step.number}) "
+    for place, line in enumerate(lines):
+        if not line.startswith(wanted):
+            continue
+        step.description = step.description or line[len(wanted) :]
+        following = lines[place + 1] if place + 1 < len(lines) else ""
+        match = _NUMBERED.match(following)
+        if not match:
+            continue
+        found = _changes_of(
+            evaluator, step.configuration, match[1], match[2], functions
+        )
+        if found:
+            step.description = line[len(wanted) :]
+            step.changes = found
+            return
+
+
+def _changes_of(evaluator, configuration, number, pass_name, functions):
+    """What the pass with a number in its pipeline changed in the functions."""
+    log = evaluator.build_log(
+        configuration.with_options(
+            _QUIET,
+            f"-print-before-pass-number={number}",
+            f"-print-after-pass-number={number}",
+            "-print-module-scope",
+        )
+    )
+    sources = {f.source for f in functions}
+    dumps = [d for d in read_dumps(log or "") if d.pass_name == pass_name]
+    # A link has all sources in one module.
+    dumps.sort(key=lambda dump: dump.before.source not in sources)
+    for dump in dumps:
+        found = changes(dump, _CONTEXT, _MOST_LINES)
+        if found:
+            return _most_relevant(found, functions)
+    return ()
+
+
+def _most_relevant(found, functions):
+    """Of many changed functions those in which guilty lines are."""
+    wanted = [
+        f"{item.file.rsplit('/', 1)[-1]}:{item.line}:"
+        for f in functions
+        for item in f.items
+        if item.line
+    ]
+    touching = [
+        change
+        for change in found
+        if any(
+            line[:1] in "+-" and any(place in line for place in wanted)
+            for line in change.diff
+        )
+    ]
+    return tuple((touching or found)[:2])
+
+
+def _find_required(evaluator, progress, base, total, functions):
+    """The program is bad without any optional pass: the canonicalizer or the
+    code generator does it."""
+    progress.phase("bad without optional passes: looking at the others")
+    bare = base.with_last_pass(0)
+    step = PassStep("code generator", total=total, configuration=bare)
+    log = evaluator.build_log(bare.with_options("-print-pass-numbers", _QUIET)) or ""
+    numbers = {
+        match[1]
+        for match in map(_NUMBERED.match, log.splitlines())
+        if match and match[2] == _CANONICALIZER
+    }
+    without = bare.with_options(_QUIET, "-tp-fp-canonicalize=0")
+    if numbers and not evaluator.judge(without).is_bad:
+        step.kind = "canonicalizer"
+        step.description = "tp-fp-canonicalize, which rewrites what the flags allow"
+        for number in sorted(numbers, key=int):
+            step.changes = _changes_of(
+                evaluator, bare, number, _CANONICALIZER, functions
+            )
+            if step.changes:
+                break
+        return step
+    step.description = "the code generator, with no optional pass run"
+    return step
+
+
+def machine_code_changes(evaluator, disassemble, step, functions):
+    """How the guilty functions' machine code differs from that of strict ones;
+    `disassemble(program, function)` gives lines."""
+    strict = step.configuration.with_options(_QUIET).with_scope(())
+    guilty = step.configuration.with_options(_QUIET)
+
+    def code(configuration, function):
+        return (
+            evaluator.with_program(
+                configuration, lambda program: disassemble(program, function)
+            )
+            or []
+        )
+
+    found = []
+    for function in functions:
+        old, new = (code(c, function.function) for c in (strict, guilty))
+        diff = trimmed_diff(old, new, _CONTEXT, _MOST_LINES)
+        if diff:
+            found.append((function.function, diff))
+    return found
