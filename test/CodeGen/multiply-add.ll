@@ -2,6 +2,7 @@
 ; function of the library without it.
 ; RUN: %llc_tp -O2 -mattr=+fma -verify-machineinstrs < %s | FileCheck --check-prefixes=CHECK,FMA %s
 ; RUN: %llc_tp -O2 -verify-machineinstrs < %s | FileCheck --check-prefixes=CHECK,LIBRARY %s
+; RUN: %llc_tp -O2 -mattr=+fma -tp-fp-canonicalize=0 < %s | FileCheck --check-prefix=UNDECIDED %s
 ; RUN: %llc_tp -O0 -mattr=+fma -verify-machineinstrs < %s | FileCheck --check-prefix=O0 %s
 
 define float @fused(float %a, float %b, float %c) {
@@ -39,13 +40,16 @@ define float @addend_is_kept(float %a, float %b, float %c) {
   %r = fmul float %x, %c
   ret float %r
 }
-; The front end's a * b + c, fused where that is an instruction.
+; The front end's a * b + c: the canonicalizer decides whether it is fused, and
+; code generation leaves it alone. Without the canonicalizer it is fused where
+; that is an instruction.
 define float @muladd(float %a, float %b, float %c) {
 ; CHECK-LABEL: muladd:
-; FMA: mov_s f0, f6
-; FMA-NEXT: madd_s f0, f4, f5
-; LIBRARY: mul_s [[PRODUCT:f[0-9]+]], f4, f5
-; LIBRARY: add_s f0, [[PRODUCT]], f6
+; CHECK: mul_s [[PRODUCT:f[0-9]+]], f4, f5
+; CHECK: add_s f0, [[PRODUCT]], f6
+; UNDECIDED-LABEL: muladd:
+; UNDECIDED: mov_s f0, f6
+; UNDECIDED-NEXT: madd_s f0, f4, f5
   %r = call float @llvm.fmuladd.f32(float %a, float %b, float %c)
   ret float %r
 }
