@@ -6,8 +6,8 @@
 
 #include "llvm-backend/clang/warnings/ComparatorCheck.h"
 #include "llvm-backend/clang/warnings/Expressions.h"
+#include "clang/AST/DeclFriend.h"
 #include "clang/AST/DeclTemplate.h"
-#include "clang/Lex/Lexer.h"
 #include "llvm/ADT/StringSwitch.h"
 
 using namespace clang;
@@ -142,21 +142,32 @@ void ComparatorCheck::checkFunctor(const CXXRecordDecl &Class, StringRef User,
   }
 }
 
+// What a copy is made of.
+static const Expr *unwrapCopies(const Expr *E) {
+  for (;;) {
+    E = unwrap(E);
+    const auto *Construction = dyn_cast<CXXConstructExpr>(E);
+    if (!Construction || Construction->getNumArgs() != 1)
+      return E;
+    E = Construction->getArg(0);
+  }
+}
+
 void ComparatorCheck::checkArgument(const Expr &Argument, StringRef User,
                                     SourceLocation Place) {
-  const Expr *E = unwrap(&Argument);
-  if (const auto *Construction = dyn_cast<CXXConstructExpr>(E);
-      Construction && Construction->getNumArgs() == 1)
-    E = unwrap(Construction->getArg(0));
+  const Expr *E = unwrapCopies(&Argument);
+  // A pointer to a function, or a std::function.
+  if (const VarDecl *Variable = namedVariable(E)) {
+    const auto *Class = Variable->getType()->getAsCXXRecordDecl();
+    if (Variable->getInit() && (Variable->getType()->isFunctionPointerType() ||
+                                (Class && isFromStd(*Class))))
+      E = unwrapCopies(Variable->getInit());
+  }
   if (const auto *Address = dyn_cast<UnaryOperator>(E);
       Address && Address->getOpcode() == UO_AddrOf)
     E = unwrap(Address->getSubExpr());
   if (const auto *Cast = dyn_cast<ExplicitCastExpr>(E))
-    E = unwrap(Cast->getSubExpr());
-  if (const VarDecl *Variable = namedVariable(E);
-      Variable && Variable->getInit() &&
-      Variable->getType()->isFunctionPointerType())
-    E = unwrap(Variable->getInit());
+    E = unwrapCopies(Cast->getSubExpr());
   if (const auto *Reference = dyn_cast<DeclRefExpr>(E))
     if (const auto *Function = dyn_cast<FunctionDecl>(Reference->getDecl()))
       return checkComparator(Function, User, Place);
@@ -165,25 +176,37 @@ void ComparatorCheck::checkArgument(const Expr &Argument, StringRef User,
       checkFunctor(*Class, User, Place);
 }
 
-// The order of elements for which no comparator is given: their operator<.
+// The order of elements for which no comparator is given: their operator< or
+// operator<=>.
 void ComparatorCheck::checkElementOrder(QualType Element, StringRef User,
                                         SourceLocation Place) {
   const auto *Class = Element->getAsCXXRecordDecl();
   if (!Class || !Class->hasDefinition())
     return;
-  DeclarationName Less = Context.DeclarationNames.getCXXOperatorName(OO_Less);
-  for (const NamedDecl *Member : Class->getDefinition()->lookup(Less))
-    checkComparator(dyn_cast<FunctionDecl>(Member), User, Place);
-  const DeclContext *Namespace = Class->getEnclosingNamespaceContext();
-  for (const NamedDecl *Free : Namespace->lookup(Less)) {
-    const auto *Function = dyn_cast<FunctionDecl>(Free);
-    if (Function && Function->getNumParams() == 2 &&
-        Function->getParamDecl(0)
-                ->getType()
-                .getNonReferenceType()
-                ->getAsCXXRecordDecl() == Class)
+  Class = Class->getDefinition();
+  auto CheckOperator = [&](const NamedDecl *D) {
+    const auto *Function = dyn_cast_or_null<FunctionDecl>(D);
+    if (!Function)
+      return;
+    OverloadedOperatorKind Operator = Function->getOverloadedOperator();
+    if ((Operator == OO_Less || Operator == OO_Spaceship) &&
+        all_of(Function->parameters(), [&](const ParmVarDecl *Parameter) {
+          QualType Type = Parameter->getType().getNonReferenceType();
+          return declaresSameEntity(Type->getAsCXXRecordDecl(), Class);
+        }))
       checkComparator(Function, User, Place);
+  };
+  const DeclContext *Namespace = Class->getEnclosingNamespaceContext();
+  for (OverloadedOperatorKind Operator : {OO_Less, OO_Spaceship}) {
+    DeclarationName Name =
+        Context.DeclarationNames.getCXXOperatorName(Operator);
+    for (const NamedDecl *Member : Class->lookup(Name))
+      CheckOperator(Member);
+    for (const NamedDecl *Free : Namespace->lookup(Name))
+      CheckOperator(Free);
   }
+  for (const FriendDecl *Friend : Class->friends())
+    CheckOperator(Friend->getFriendDecl());
 }
 
 // What a pointer or a class's operator* gives.

@@ -60,6 +60,9 @@ public:
     return true;
   }
   bool VisitLambdaExpr(LambdaExpr *Lambda) {
+    const CXXMethodDecl *Body = Lambda->getCallOperator();
+    if (!Body->isDependentContext() && !Body->getParentFunctionOrMethod())
+      Conversion.checkFunction(*Body);
     // The instances of a generic one are not part of the tree.
     if (const FunctionTemplateDecl *Generic =
             Lambda->getLambdaClass()->getDependentLambdaCallOperator())

@@ -83,22 +83,32 @@ static BinaryOperatorKind plainOpcode(const BinaryOperator &Operator) {
              : Operator.getOpcode();
 }
 
+// Whether Operator multiplies by a power of two, which rounds nothing.
+bool InexactArithmetic::isExactScaling(const BinaryOperator &Operator) const {
+  auto IsPowerOfTwo = [&](const Expr *E) {
+    auto Factor = constantValue(E, Context);
+    return Factor && Factor->getExactInverse(nullptr);
+  };
+  return (plainOpcode(Operator) == BO_Div && IsPowerOfTwo(Operator.getRHS())) ||
+         (plainOpcode(Operator) == BO_Mul &&
+          (IsPowerOfTwo(Operator.getLHS()) || IsPowerOfTwo(Operator.getRHS())));
+}
+
 // Whether fast math may compute Operator, or it together with User which takes
 // its result, in a way that rounds otherwise.
 bool InexactArithmetic::isInexact(const BinaryOperator &Operator,
                                   const BinaryOperator *User) const {
+  if (isExactScaling(Operator))
+    return false;
   const LangOptions &Language = Context.getLangOpts();
   FPOptions Options = Operator.getFPFeaturesInEffect(Language);
-  bool IsDivision = plainOpcode(Operator) == BO_Div;
-  if (IsDivision && Options.getAllowReciprocal()) {
-    auto Divisor = constantValue(Operator.getRHS(), Context);
-    bool IsExact = Divisor && Divisor->getExactInverse(nullptr);
+  if (plainOpcode(Operator) == BO_Div && Options.getAllowReciprocal()) {
     auto Dividend = constantValue(Operator.getLHS(), Context);
     bool IsReciprocal = Dividend && Dividend->isExactlyValue(1.0);
-    if (!IsExact && !(IsReciprocal && !User))
+    if (!IsReciprocal || User)
       return true;
   }
-  if (!User || !Options.getAllowFPReassociate() ||
+  if (!User || isExactScaling(*User) || !Options.getAllowFPReassociate() ||
       !User->getFPFeaturesInEffect(Language).getAllowFPReassociate())
     return false;
   if (isAdditive(plainOpcode(Operator)) == isAdditive(plainOpcode(*User)))

@@ -35,6 +35,7 @@ private:
                                       const clang::BinaryOperator *User);
   bool isInexact(const clang::BinaryOperator &Operator,
                  const clang::BinaryOperator *User) const;
+  bool isExactScaling(const clang::BinaryOperator &Operator) const;
   bool isConstant(const clang::Expr *E) const;
   bool isSimple(const clang::Expr *E) const;
 

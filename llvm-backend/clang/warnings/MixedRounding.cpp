@@ -30,6 +30,12 @@ struct Value {
   bool IsDistantProduct = false;
   bool IsQuotient = false;
   bool IsArithmetic = false;
+  /// Whether exchanging the arguments may do more than negate it, if products
+  /// are fused. It does not for (a.x - b.x) * n.x + (a.y - b.y) * n.y.
+  bool IsAsymmetric = false;
+  /// Whether a regrouped sum that it is part of may take a difference of the
+  /// arguments apart.
+  bool HasDifference = false;
   /// The first hazard in its computation.
   std::optional<MixedRounding> Hazard;
 
@@ -39,6 +45,8 @@ struct Value {
     IsDistantProduct |= Other.IsDistantProduct;
     IsQuotient |= Other.IsQuotient;
     IsArithmetic |= Other.IsArithmetic;
+    IsAsymmetric |= Other.IsAsymmetric;
+    HasDifference |= Other.HasDifference;
     if (!Hazard)
       Hazard = Other.Hazard;
   }
@@ -52,6 +60,7 @@ struct Value {
   Value throughFunction() const {
     Value Result;
     Result.Arguments = Arguments;
+    Result.IsAsymmetric = Arguments != NoArgument;
     Result.Hazard = Hazard;
     return Result;
   }
@@ -95,7 +104,7 @@ public:
     return true;
   }
   bool VisitCallExpr(CallExpr *Call) {
-    // A function that decides: its own comparisons count.
+    // Its own comparisons decide too.
     evaluate(Call);
     return true;
   }
@@ -112,6 +121,8 @@ private:
   Value evaluateCall(const CallExpr &Call);
   Value enterCall(const CallExpr &Call);
   Value evaluateOperands(const Stmt &S);
+  bool isAsymmetric(const BinaryOperator &Operator, BinaryOperatorKind Opcode,
+                    const Value &Left, const Value &Right) const;
   std::optional<MixedRounding::Cause> causeOf(const BinaryOperator &Operator,
                                               const Value &Left,
                                               const Value &Right) const;
@@ -186,7 +197,10 @@ Evaluator::causeOf(const BinaryOperator &Operator, const Value &Left,
                    const Value &Right) const {
   if ((Left.Arguments | Right.Arguments) != BothArguments)
     return std::nullopt;
-  if (mayFuse(Operator, Left, Right))
+  bool IsAsymmetric = Left.IsAsymmetric || Right.IsAsymmetric;
+  if (!IsAsymmetric && !Left.HasDifference && !Right.HasDifference)
+    return std::nullopt;
+  if (IsAsymmetric && mayFuse(Operator, Left, Right))
     return MixedRounding::Cause::Contraction;
   FPOptions Options = Operator.getFPFeaturesInEffect(Context.getLangOpts());
   if (Options.getAllowFPReassociate() &&
@@ -195,6 +209,25 @@ Evaluator::causeOf(const BinaryOperator &Operator, const Value &Left,
   if (Options.getAllowReciprocal() && (Left.IsQuotient || Right.IsQuotient))
     return MixedRounding::Cause::Reciprocal;
   return std::nullopt;
+}
+
+// Whether exchanging the arguments may do more than negate the result.
+bool Evaluator::isAsymmetric(const BinaryOperator &Operator,
+                             BinaryOperatorKind Opcode, const Value &Left,
+                             const Value &Right) const {
+  // a.x - b.x
+  const auto *LeftMember = dyn_cast<MemberExpr>(unwrap(Operator.getLHS()));
+  const auto *RightMember = dyn_cast<MemberExpr>(unwrap(Operator.getRHS()));
+  if (Opcode == BO_Sub && LeftMember && RightMember &&
+      LeftMember->getMemberDecl() == RightMember->getMemberDecl() &&
+      !Left.IsArithmetic && !Right.IsArithmetic &&
+      (Left.Arguments | Right.Arguments) == BothArguments &&
+      (Left.Arguments & Right.Arguments) == NoArgument)
+    return false;
+  bool BothDepend =
+      Left.Arguments != NoArgument && Right.Arguments != NoArgument;
+  return Left.IsAsymmetric || Right.IsAsymmetric ||
+         BothDepend != isAdditive(Opcode);
 }
 
 Value Evaluator::evaluateOperator(const BinaryOperator &Operator) {
@@ -218,6 +251,10 @@ Value Evaluator::evaluateOperator(const BinaryOperator &Operator) {
   Joined.IsArithmetic = true;
   Joined.IsProduct = Joined.IsDistantProduct = IsProduct;
   Joined.IsQuotient = IsQuotient;
+  Joined.HasDifference =
+      isAdditive(Opcode) && (Left.HasDifference || Right.HasDifference ||
+                             !Left.IsArithmetic || !Right.IsArithmetic);
+  Joined.IsAsymmetric = isAsymmetric(Operator, Opcode, Left, Right);
   return Joined;
 }
 
@@ -248,6 +285,9 @@ Value Evaluator::enterCall(const CallExpr &Call) {
     Value Joined = CalledObject.throughFunction();
     for (const Value &Argument : Arguments)
       Joined.join(Argument.throughFunction());
+    // As signbit() and lround() do.
+    if (Call.getType()->isIntegerType())
+      decide(Joined);
     return Joined;
   }
   const auto *Method = dyn_cast<CXXMethodDecl>(Callee);
@@ -322,6 +362,7 @@ std::optional<MixedRounding> findMixedRounding(const FunctionDecl &Comparator,
   Value First, Second, Object;
   First.Arguments = 1;
   Second.Arguments = 2;
+  First.IsAsymmetric = Second.IsAsymmetric = true;
   SmallVector<Value, 2> Arguments{First, Second};
   // A member operator compares its object with its argument.
   if (Comparator.getNumParams() == 1) {
