@@ -156,6 +156,7 @@ static void replaceByLibraryCall(IntrinsicInst &Intrinsic) {
       Library->getFunctionType() != CalleeType)
     return;
   IRBuilder<> Builder(&Intrinsic);
+  Builder.setFastMathFlags(Intrinsic.getFastMathFlags());
   replaceExpression(Intrinsic, *createLibraryCalls(Builder, Callee, Intrinsic));
 }
 
@@ -165,6 +166,7 @@ static void replaceByOrderedMinimum(CallBase &Call, Intrinsic::ID ID) {
   if (!isa<CallInst>(Call))
     return;
   IRBuilder<> Builder(&Call);
+  Builder.setFastMathFlags(Call.getFastMathFlags());
   replaceExpression(Call,
                     *Builder.CreateBinaryIntrinsic(ID, Call.getArgOperand(0),
                                                    Call.getArgOperand(1)));
