@@ -59,6 +59,9 @@ ClangTargetInfo::ClangTargetInfo(const llvm::Triple &Triple)
   TLSSupported = true;
   NoAsmVariants = true;
   HasFloat16 = true;
+  // So that clang obeys #pragma float_control. There are no exception flags and
+  // no other rounding to be strict about.
+  HasStrictFP = true;
 
   PointerWidth = PointerAlign = 32;
   LongWidth = LongAlign = 32;

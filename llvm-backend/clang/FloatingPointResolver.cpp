@@ -86,6 +86,8 @@ static constexpr const char *OneExtreme[] = {"-ftp-fp=strict", "-mno-fma",
 static constexpr const char *OtherExtreme[] = {
     "-ftp-fp=fast",
     "-fmath-errno",
+    "-frounding-math",
+    "-ffp-exception-behavior=maytrap",
     "-fstrict-float-cast-overflow",
     "-fdenormal-fp-math=preserve-sign",
     "-mfma",
