@@ -8,6 +8,7 @@
 #define TP_KERNELS_BVH_BOUNDINGBOX_H
 
 #include "kernels/common/FloatMath.h"
+#include "kernels/common/SceneLayout.h"
 #include "kernels/common/Vector3.h"
 
 namespace tp {
@@ -22,6 +23,7 @@ struct BoundingBox {
   /// Behind every scene, and so near that RayBoxTester's products with it are
   /// finite too.
   static constexpr float Far = 1.0e20f;
+  static_assert(Far > 2 * kMaxCoordinate, "doubled centres are nearer");
 
   Vector3 Lower = {Far, Far, Far};
   Vector3 Upper = {-Far, -Far, -Far};

@@ -25,6 +25,9 @@ namespace {
 
 constexpr int BinCount = 16;
 
+/// More than any split costs.
+constexpr float NoSplit = 3.0e38f;
+
 /// A range of primitives that is split along one axis.
 struct Candidates {
   uint32_t Begin;
@@ -198,10 +201,10 @@ BvhReference Builder::build() {
     const Candidates Range{Current.Begin, Current.End,
                            boundCenters(Current.Begin, Current.End)};
     Split Best{};
-    Best.Cost = BoundingBox::Far;
+    Best.Cost = NoSplit;
     for (unsigned Axis = 0; Axis != 3; ++Axis)
       considerAxis(Range, Axis, Best);
-    if (Best.Cost < BoundingBox::Far)
+    if (Best.Cost < NoSplit)
       sort(Range, Best);
     else
       halve(Range, Best);

@@ -65,6 +65,12 @@ static bool isFinite(Vector3 V) {
   return std::isfinite(V.X) && std::isfinite(V.Y) && std::isfinite(V.Z);
 }
 
+/// Whether a finite point is one that boxes can hold.
+static bool isInReach(Vector3 V) {
+  return std::abs(V.X) <= kMaxCoordinate && std::abs(V.Y) <= kMaxCoordinate &&
+         std::abs(V.Z) <= kMaxCoordinate;
+}
+
 static ErrorOr<Vector3> readColor(const std::vector<double> &Components,
                                   const char *What, double Scale = 1) {
   if (Components.size() < 3)
@@ -192,6 +198,7 @@ Status SceneBuilder::addPrimitive(const tinygltf::Primitive &Primitive,
                  " vertices do not make whole triangles"};
   const bool Mirrored = ToWorld.determinant() < 0;
   bool Finite = true;
+  bool InReach = true;
   forEachTriangle(Mode, Count, [&](size_t A, size_t B, size_t C) {
     const size_t Corners[3] = {A, Mirrored ? C : B, Mirrored ? B : C};
     Triangle Shape;
@@ -201,6 +208,7 @@ Status SceneBuilder::addPrimitive(const tinygltf::Primitive &Primitive,
           Indexed ? Indices[Corners[Corner]] : Corners[Corner];
       Shape.Vertices[Corner] = ToWorld.point((*Positions)[Vertex]);
       Finite &= isFinite(Shape.Vertices[Corner]);
+      InReach &= isInReach(Shape.Vertices[Corner]);
     }
     if (isDegenerate(Shape))
       ++DegenerateTriangles;
@@ -209,6 +217,9 @@ Status SceneBuilder::addPrimitive(const tinygltf::Primitive &Primitive,
   });
   if (!Finite)
     return Error{"a position is not finite after its node's transform"};
+  if (!InReach)
+    return Error{"a coordinate is beyond 1e18 after its node's transform; "
+                 "choose a larger unit of length"};
   if (Result.Triangles.size() > kMaxBvhTriangles)
     return Error{"the scene has more than " + std::to_string(kMaxBvhTriangles) +
                  " triangles"};

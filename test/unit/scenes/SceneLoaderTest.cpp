@@ -282,6 +282,13 @@ TEST_F(SceneLoaderTest, TransformThatOverflows) {
             std::string::npos);
 }
 
+TEST_F(SceneLoaderTest, CoordinateThatIsTooLarge) {
+  Nodes = R"({"mesh": 0, "translation": [0, -2e18, 0]}, {"camera": 0})";
+  EXPECT_NE(failure().find("a coordinate is beyond 1e18 after its node's "
+                           "transform; choose a larger unit of length"),
+            std::string::npos);
+}
+
 TEST_F(SceneLoaderTest, MaterialMeshCameraOrNodeThatDoesNotExist) {
   Primitive = R"({"attributes": {"POSITION": 0}, "material": 5})";
   EXPECT_NE(failure().find("has no material 5"), std::string::npos);
