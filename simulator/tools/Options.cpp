@@ -68,6 +68,7 @@ public:
                                 std::min(Cores, MaxHostThreads));
     Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
     Result.StatisticsOutput = Arguments.getLastArgValue(OPT_stats).str();
+    readMemoryDumps(Result);
     readProgram(Result);
     readImage(Result);
     if (!Message.empty())
@@ -96,6 +97,16 @@ private:
           "': expected a whole number from " + Twine(Min) + " to " +
           Twine(Max));
     return Default;
+  }
+
+  void readMemoryDumps(Options &Result) {
+    for (const Arg *Argument : Arguments.filtered(OPT_dump_memory)) {
+      StringRef Text = Argument->getValue();
+      auto [Symbol, Path] = Text.split('=');
+      if (Symbol.empty() || Path.empty())
+        error("--dump-memory '" + Text + "': expected <variable>=<file>");
+      Result.MemoryDumps.push_back({Symbol.str(), Path.str()});
+    }
   }
 
   void readProgram(Options &Result) {

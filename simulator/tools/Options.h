@@ -8,6 +8,7 @@
 #define TP_SIMULATOR_TOOLS_OPTIONS_H
 
 #include "kernels/common/LaunchSetup.h"
+#include "simulator/tools/MemoryDump.h"
 
 #include "llvm/ADT/ArrayRef.h"
 #include "llvm/Support/Error.h"
@@ -40,6 +41,7 @@ struct Options {
   std::string BvhOutput;
   /// JSON file, `-` for standard output; empty: none.
   std::string StatisticsOutput;
+  std::vector<MemoryDumpRequest> MemoryDumps;
   unsigned HostThreads = 1;
   /// 0: no limit.
   uint64_t MaxCycles = 0;

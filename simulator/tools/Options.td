@@ -38,6 +38,8 @@ defm bvh_output : LongValue<"bvh-output", "<file>",
                         "Write the BVH that the kernel built">;
 defm stats : LongValue<"stats", "<file>",
                    "Write the statistics as JSON; - is standard output">;
+defm dump_memory : LongValue<"dump-memory", "<variable>=<file>",
+                         "Write a variable's bytes after the run">;
 defm host_threads : LongValue<"host-threads", "<n>",
                           "Threads of the host to use (default: all)">;
 defm max_cycles : LongValue<"max-cycles", "<n>",

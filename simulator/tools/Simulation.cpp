@@ -48,7 +48,7 @@ static Program decodeText(const ElfProgram &Elf) {
 }
 
 /// Fails now and not after hours if \p Path cannot be written.
-static llvm::Error checkWritable(const std::string &Path) {
+static llvm::Error checkWritable(StringRef Path) {
   int File;
   std::error_code EC = sys::fs::openFileForWrite(
       Path, File, sys::fs::CD_OpenAlways, sys::fs::OF_Append);
@@ -60,12 +60,28 @@ static llvm::Error checkWritable(const std::string &Path) {
 }
 
 static llvm::Error checkOutputs(const Options &Request) {
-  for (const std::string &Path :
-       {Request.ImageOutput, Request.BvhOutput, Request.StatisticsOutput})
+  SmallVector<StringRef> Paths = {Request.ImageOutput, Request.BvhOutput,
+                                  Request.StatisticsOutput};
+  for (const MemoryDumpRequest &Dump : Request.MemoryDumps)
+    Paths.push_back(Dump.Path);
+  for (StringRef Path : Paths)
     if (!Path.empty() && Path != "-")
       if (llvm::Error E = checkWritable(Path))
         return E;
   return llvm::Error::success();
+}
+
+static Expected<std::vector<MemoryDump>> locateDumps(const Options &Request,
+                                                     const ElfProgram &Elf,
+                                                     const Memory &Global) {
+  std::vector<MemoryDump> Dumps;
+  for (const MemoryDumpRequest &Wanted : Request.MemoryDumps) {
+    Expected<MemoryDump> Dump = locate(Wanted, Elf, Global);
+    if (!Dump)
+      return Dump.takeError();
+    Dumps.push_back(std::move(*Dump));
+  }
+  return Dumps;
 }
 
 static Expected<std::optional<Scene>>
@@ -259,6 +275,10 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   Engine Machine(Chip, Text, (*Loaded)->Global);
   if (!Machine.error().empty())
     return createStringError(Machine.error());
+  Expected<std::vector<MemoryDump>> Dumps =
+      locateDumps(Request, Ready.Elf, Ready.Global);
+  if (!Dumps)
+    return Dumps.takeError();
   if (llvm::Error E = checkOutputs(Request))
     return E;
 
@@ -277,6 +297,8 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
                               Image.MaxDepth, Image.Seed};
   }
   llvm::Error Failures = writeResults(Run, Request, Ready.Block, Ready.Launch);
+  for (const MemoryDump &Dump : *Dumps)
+    Failures = joinErrors(std::move(Failures), write(Dump, Ready.Global));
   if (Request.Rendering.Bvh == BvhOrigin::Kernel && Run.ExitStatus == 0)
     Failures = joinErrors(std::move(Failures),
                           checkBvh(Request, Ready.Block, Ready.Launch));
