@@ -146,4 +146,74 @@ TEST_F(ElfProgramTest, RefusesAnEntryOutsideTheCode) {
   }
 }
 
+/// The program with a list of functions with floating-point checks.
+struct CheckedElf {
+  TestElf Program;
+  uint32_t List[4] = {0x10004, 8, llvm::TPELF::DeadAddress, 20};
+  char Names[26] = "\0.tp_fp_checked\0.shstrtab";
+  uint16_t Padding = 0;
+  Elf32_Shdr Sections[3] = {};
+
+  CheckedElf() {
+    Program.Header.e_shoff = offsetof(CheckedElf, Sections);
+    Program.Header.e_shentsize = sizeof(Elf32_Shdr);
+    Program.Header.e_shnum = 3;
+    Program.Header.e_shstrndx = 2;
+    Sections[1].sh_name = 1;
+    Sections[1].sh_type = SHT_PROGBITS;
+    Sections[1].sh_offset = offsetof(CheckedElf, List);
+    Sections[1].sh_size = sizeof(List);
+    Sections[2].sh_name = 16;
+    Sections[2].sh_type = SHT_STRTAB;
+    Sections[2].sh_offset = offsetof(CheckedElf, Names);
+    Sections[2].sh_size = sizeof(Names);
+  }
+};
+
+class CheckedFunctions : public ElfProgramTest {
+protected:
+  CheckedElf Checked;
+
+  llvm::Expected<ElfProgram> loadChecked() {
+    std::error_code EC;
+    llvm::raw_fd_ostream OS(Path, EC);
+    OS.write(reinterpret_cast<const char *>(&Checked), sizeof(Checked));
+    OS.close();
+    return ElfProgram::load(Path);
+  }
+  std::string checkedError() {
+    llvm::Expected<ElfProgram> Program = loadChecked();
+    return Program ? "" : llvm::toString(Program.takeError());
+  }
+};
+
+TEST_F(CheckedFunctions, AreListed) {
+  llvm::Expected<ElfProgram> Program = loadChecked();
+  ASSERT_TRUE(bool(Program)) << llvm::toString(Program.takeError());
+  ASSERT_EQ(Program->floatChecked().size(), 1u);
+  EXPECT_EQ(Program->floatChecked()[0].Begin, 0x10004u);
+  EXPECT_EQ(Program->floatChecked()[0].End, 0x1000Cu);
+}
+
+TEST_F(CheckedFunctions, LieInTheCode) {
+  for (auto [Begin, Size] : {std::pair(0x10004u, 16u),
+                             {0x10002u, 4u},
+                             {0xFFF0u, 4u},
+                             {0x20000u, 4u},
+                             {0x10000u, 0xFFFFFFF0u}}) {
+    Checked.List[0] = Begin;
+    Checked.List[1] = Size;
+    EXPECT_THAT(checkedError(), HasSubstr("that is not in the code"));
+  }
+}
+
+TEST_F(CheckedFunctions, HaveWholeEntries) {
+  Checked.Sections[1].sh_size = 12;
+  EXPECT_THAT(checkedError(),
+              HasSubstr("section .tp_fp_checked has 12 bytes, no multiple"));
+  Checked.Sections[1].sh_offset = 0x10000;
+  EXPECT_THAT(checkedError(),
+              HasSubstr("the section .tp_fp_checked is damaged"));
+}
+
 } // namespace
