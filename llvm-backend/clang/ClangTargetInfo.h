@@ -48,6 +48,7 @@ public:
   llvm::ArrayRef<GCCRegAlias> getGCCRegAliases() const override;
 
   bool hasBitIntType() const override { return true; }
+  bool checkArithmeticFenceSupported() const override { return true; }
 
 private:
   bool HasTrigonometry = true;
