@@ -79,5 +79,9 @@ PreservedAnalyses FloatingPointCanonicalizerPass::run(Module &M,
     forwardMathWrappers(*F);
   for (Function *F : Functions)
     canonicalize(*F);
+  // The checked mode looks for them, and removes them itself.
+  if (!isFloatingPointCheckEnabled())
+    for (Function &F : M)
+      stripValueClasses(F);
   return PreservedAnalyses::none();
 }

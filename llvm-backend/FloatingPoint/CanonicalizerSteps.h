@@ -14,8 +14,8 @@ class Function;
 
 // The rewrites, in the order in which they run. Each acts on the instructions
 // whose own fast-math flags allow it, on float and double, and on vectors of
-// them. A rewritten instruction has neither `nnan` nor `ninf`: an intermediate
-// value may overflow where the original did not.
+// them. A rewritten instruction has neither `nnan` nor `ninf`, except for the
+// checked mode: an intermediate value may overflow where the original did not.
 
 /// Replaces calls of functions that only hand their arguments to a math
 /// function, as std::sqrt does, by calls of that function.
@@ -46,6 +46,11 @@ void contractSums(Function &F, const FloatingPointTarget &Target);
 /// Makes what later passes and the code generator could evaluate in more than
 /// one way a call that they do not know.
 void fixMathFunctions(Function &F);
+
+/// Removes what finite math promises about parameters and results. Without
+/// `nnan` and `ninf` on the instructions around it, LLVM 22.1 makes wrong code
+/// of `nofpclass`: InstCombine puts a copysign behind its use.
+void stripValueClasses(Function &F);
 
 /// Removes the fast-math flags that allow other bits, and the attributes and
 /// metadata that say the same. `nnan` and `ninf` stay.

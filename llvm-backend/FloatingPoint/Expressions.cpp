@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/FloatingPoint/Expressions.h"
+#include "llvm-backend/FloatingPoint/FloatingPointOptions.h"
 #include "llvm/ADT/PostOrderIterator.h"
 #include "llvm/Analysis/ConstantFolding.h"
 #include "llvm/IR/IRBuilder.h"
@@ -34,6 +35,8 @@ void llvm::forEachInstruction(Function &F,
 
 FastMathFlags llvm::getRewriteFlags(const Instruction &I) {
   FastMathFlags Flags = I.getFastMathFlags();
+  if (isFloatingPointCheckEnabled())
+    return Flags;
   Flags.setNoNaNs(false);
   Flags.setNoInfs(false);
   return Flags;
