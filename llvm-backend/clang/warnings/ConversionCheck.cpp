@@ -18,6 +18,7 @@ namespace tp {
 struct ConversionCheck::Finding {
   const CastExpr *Conversion;
   const BinaryOperator *Inexact;
+  bool IsReciprocal;
 };
 
 /// Looks for the conversion that an integer comes from, through variables and
@@ -75,7 +76,7 @@ ConversionCheck::Search::find(const Expr *Integer, const VariableFacts &Facts) {
     if (Arithmetic.isBounded(Number))
       return std::nullopt;
     if (const BinaryOperator *Inexact = Arithmetic.findInexact(Number))
-      return Finding{Cast, Inexact};
+      return Finding{Cast, Inexact, Arithmetic.mayUseReciprocal(*Inexact)};
     return std::nullopt;
   }
   if (const auto *Operator = dyn_cast<BinaryOperator>(Integer)) {
@@ -105,10 +106,6 @@ const VariableFacts &ConversionCheck::factsOf(const FunctionDecl &Function) {
   return *Known;
 }
 
-static bool isDivision(const BinaryOperator &Operator) {
-  return Operator.getOpcode() == BO_Div || Operator.getOpcode() == BO_DivAssign;
-}
-
 void ConversionCheck::report(const Finding &Found, const Expr &Index) {
   const CastExpr &Conversion = *Found.Conversion;
   const Expr &Number = *Conversion.getSubExpr();
@@ -119,12 +116,12 @@ void ConversionCheck::report(const Finding &Found, const Expr &Index) {
     return;
   const BinaryOperator &Inexact = *Found.Inexact;
   FPOptions Options = Inexact.getFPFeaturesInEffect(Context.getLangOpts());
-  bool IsReciprocal = isDivision(Inexact) && Options.getAllowReciprocal();
   std::string Note =
-      IsReciprocal ? "this division may become a multiplication by the "
-                     "reciprocal; '#pragma clang fp reciprocal(off)"
-                   : "this operation may be regrouped with its neighbors; "
-                     "'#pragma clang fp";
+      Found.IsReciprocal
+          ? "this division may become a multiplication by the "
+            "reciprocal; '#pragma clang fp reciprocal(off)"
+          : "this operation may be regrouped with its neighbors; "
+            "'#pragma clang fp";
   if (Options.getAllowFPReassociate())
     Note += " reassociate(off)";
   Reporter.note(Inexact.getOperatorLoc(), Note + "' keeps it as written",

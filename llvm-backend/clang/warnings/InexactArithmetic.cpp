@@ -94,6 +94,14 @@ bool InexactArithmetic::isExactScaling(const BinaryOperator &Operator) const {
           (IsPowerOfTwo(Operator.getLHS()) || IsPowerOfTwo(Operator.getRHS())));
 }
 
+bool InexactArithmetic::mayUseReciprocal(const BinaryOperator &Operator) const {
+  FPOptions Options = Operator.getFPFeaturesInEffect(Context.getLangOpts());
+  if (plainOpcode(Operator) != BO_Div || !Options.getAllowReciprocal())
+    return false;
+  auto Dividend = constantValue(Operator.getLHS(), Context);
+  return !Dividend || !Dividend->isExactlyValue(1.0);
+}
+
 // Whether fast math may compute Operator, or it together with User which takes
 // its result, in a way that rounds otherwise.
 bool InexactArithmetic::isInexact(const BinaryOperator &Operator,
@@ -102,12 +110,8 @@ bool InexactArithmetic::isInexact(const BinaryOperator &Operator,
     return false;
   const LangOptions &Language = Context.getLangOpts();
   FPOptions Options = Operator.getFPFeaturesInEffect(Language);
-  if (plainOpcode(Operator) == BO_Div && Options.getAllowReciprocal()) {
-    auto Dividend = constantValue(Operator.getLHS(), Context);
-    bool IsReciprocal = Dividend && Dividend->isExactlyValue(1.0);
-    if (!IsReciprocal || User)
-      return true;
-  }
+  if (mayUseReciprocal(Operator))
+    return true;
   if (!User || isExactScaling(*User) || !Options.getAllowFPReassociate() ||
       !User->getFPFeaturesInEffect(Language).getAllowFPReassociate())
     return false;

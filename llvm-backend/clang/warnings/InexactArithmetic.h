@@ -29,6 +29,9 @@ public:
   /// change, by its reciprocal or by regrouping; null if there is none.
   const clang::BinaryOperator *findInexact(const clang::Expr *Value);
 
+  /// Whether fast math may multiply by a reciprocal in place of \p Operator.
+  bool mayUseReciprocal(const clang::BinaryOperator &Operator) const;
+
 private:
   bool isBoundedIn(const clang::Expr *Value);
   const clang::BinaryOperator *findIn(const clang::Expr *Value,
