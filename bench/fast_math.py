@@ -44,8 +44,12 @@ class Bench:
         self.folder = folder
 
     def run(self, command):
-        result = subprocess.run([str(word) for word in command], text=True,
-                                capture_output=True, check=False)
+        try:
+            result = subprocess.run([str(word) for word in command], text=True,
+                                    capture_output=True, check=False)
+        except OSError as error:
+            sys.exit(f"error: {error}; build everything first "
+                     "(scripts/build.sh)")
         if result.returncode != 0:
             sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
         return result.stdout
@@ -147,8 +151,8 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/bin")
-    parser.add_argument("--size", default="128x128",
-                        help="of the path tracer's picture (128x128)")
+    parser.add_argument("--size", default="256x256",
+                        help="of the path tracer's picture (256x256)")
     parser.add_argument("--json", help="also write the figures to this file")
     arguments = parser.parse_args()
 

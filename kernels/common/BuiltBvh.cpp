@@ -7,6 +7,7 @@
 #include "kernels/common/BuiltBvh.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cinttypes>
 #include <cstdio>
@@ -70,14 +71,14 @@ static bool areTrianglesInOrder(const SceneReader &Reader,
                                 const BvhWorkspace &Workspace,
                                 const std::vector<uint32_t> &Order) {
   const uint32_t Count = Reader.header().TriangleCount;
-  const auto Sources =
-      Reader.read<TriangleRecord>(Workspace.SourcesOffset, Count);
+  // Bits and not floats: a NaN equals itself.
+  using Words = std::array<uint32_t, sizeof(TriangleRecord) / sizeof(uint32_t)>;
+  const auto Sources = Reader.read<Words>(Workspace.SourcesOffset, Count);
   const auto Triangles =
-      Reader.read<TriangleRecord>(Reader.header().TrianglesOffset, Count);
+      Reader.read<Words>(Reader.header().TrianglesOffset, Count);
   for (uint32_t Position = 0; Position != Count; ++Position)
     if (Order[Position] < Count &&
-        std::memcmp(&Triangles[Position], &Sources[Order[Position]],
-                    sizeof(TriangleRecord)) != 0)
+        Triangles[Position] != Sources[Order[Position]])
       return false;
   return true;
 }
