@@ -11,21 +11,29 @@ using namespace llvm;
 
 namespace tp {
 
-static void printRow(raw_ostream &Stream, StringRef Name, StringRef Value,
-                     StringRef Decider) {
-  Stream << left_justify(Name, 23) << left_justify(Value, 26) << Decider
-         << '\n';
+static constexpr StringRef ValueTitle = "value";
+
+static size_t valueWidth(const FloatingPointSettings &Settings) {
+  size_t Width = ValueTitle.size();
+  for (size_t I = 0; I < NumFloatingPointProperties; ++I)
+    Width =
+        std::max(Width, Settings[static_cast<FloatingPointProperty>(I)].size());
+  return Width;
 }
 
 void printFloatingPointTable(raw_ostream &Stream,
                              const FloatingPointDecisions &Decisions,
                              ArrayRef<CommandLineOption> Options) {
-  printRow(Stream, "floating point", "value", "decided by");
+  size_t Width = valueWidth(Decisions.Settings);
+  auto PrintRow = [&](StringRef Name, StringRef Value, StringRef Decider) {
+    Stream << left_justify(Name, 23) << left_justify(Value, Width + 2)
+           << Decider << '\n';
+  };
+  PrintRow("floating point", ValueTitle, "decided by");
   for (size_t I = 0; I < NumFloatingPointProperties; ++I) {
     auto Property = static_cast<FloatingPointProperty>(I);
     std::optional<size_t> Decider = Decisions.decider(Property);
-    printRow(Stream, floatingPointPropertyName(Property),
-             Decisions.Settings[Property],
+    PrintRow(floatingPointPropertyName(Property), Decisions.Settings[Property],
              Decider ? Options[*Decider].text() : "default");
   }
 }
