@@ -31,6 +31,7 @@ struct Data {
   float Cosines[Count];
   float Roughness[Count];
   float Results[Count];
+  Vector3 Directions[Count];
 };
 
 thread_local Data Local;
@@ -54,8 +55,7 @@ void fill(Data &D) {
   for (uint32_t I = 0; I != Count; ++I) {
     const Vector3 V = D.Vectors[I];
     const float Length = std::sqrt(dot(V, V));
-    const Vector3 Unit = {V.X / Length, V.Y / Length, V.Z / Length};
-    D.Results[I] = Unit.X + Unit.Y + Unit.Z;
+    D.Directions[I] = {V.X / Length, V.Y / Length, V.Z / Length};
   }
 }
 
@@ -154,8 +154,15 @@ constexpr Loop Loops[] = {
 
 static uint32_t checksum(const Data &D) {
   uint32_t Sum = 0;
-  for (float Result : D.Results)
-    Sum = Sum * 31 + __builtin_bit_cast(uint32_t, Result);
+  auto Add = [&](float Value) {
+    Sum = Sum * 31 + __builtin_bit_cast(uint32_t, Value);
+  };
+  for (uint32_t I = 0; I != Count; ++I) {
+    Add(D.Results[I]);
+    Add(D.Directions[I].X);
+    Add(D.Directions[I].Y);
+    Add(D.Directions[I].Z);
+  }
   return Sum;
 }
 
