@@ -27,6 +27,24 @@ using namespace llvm;
 
 namespace tp {
 
+static bool isForTP(const CompilerInstance &Instance) {
+  return Instance.getTarget().getTriple().str() == llvm::TPTriple;
+}
+
+// Whether the shared object that this is part of for stock clang is in Files.
+static bool hasPlugIn(ArrayRef<std::string> Files) {
+  return any_of(Files, [](const std::string &File) {
+    return sys::path::stem(File) == "TPFloatingPoint";
+  });
+}
+
+// Whether the canonicalizer will treat this translation unit.
+static bool isCanonicalized(const CompilerInstance &Instance) {
+  return (isForTP(Instance) ||
+          hasPlugIn(Instance.getCodeGenOpts().PassPlugins)) &&
+         isFloatingPointCanonicalizationEnabled();
+}
+
 namespace {
 
 /// Shows each check what it looks at, once per instance of a template.
@@ -122,16 +140,6 @@ public:
   }
 
 private:
-  /// Whether the canonicalizer will treat this translation unit.
-  static bool isCanonicalized(CompilerInstance &Instance) {
-    bool IsPlugIn = any_of(
-        Instance.getCodeGenOpts().PassPlugins, [](const std::string &PlugIn) {
-          return sys::path::stem(PlugIn) == "TPFloatingPoint";
-        });
-    bool IsTP = Instance.getTarget().getTriple().str() == llvm::TPTriple;
-    return (IsTP || IsPlugIn) && isFloatingPointCanonicalizationEnabled();
-  }
-
   DiagnosticsEngine &Diags;
   DiagnosticPragmas Pragmas;
   const ContractionRules Rules;
@@ -194,6 +202,9 @@ llvm::Error Action::readOwnOptions(const CompilerInstance &Instance,
 
 bool Action::ParseArgs(const CompilerInstance &Instance,
                        const std::vector<std::string> &Words) {
+  // Stock clang that only wants the passes, -fpass-plugin=, is left alone.
+  if (!isForTP(Instance) && !hasPlugIn(Instance.getFrontendOpts().Plugins))
+    return false;
   readGeneralOptions(Instance);
   llvm::Error Unknown = readOwnOptions(Instance, Words);
   if (!Unknown)

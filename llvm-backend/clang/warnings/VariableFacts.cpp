@@ -133,6 +133,9 @@ bool VariableFacts::Collector::VisitBinaryOperator(BinaryOperator *Operator) {
   const Expr *Left = Operator->getLHS();
   const Expr *Right = Operator->getRHS();
   if (Operator->isComparisonOp()) {
+    // `x != x` and `x == 0` say nothing of how large x is.
+    if (Operator->isEqualityOp() && isFloatingPoint(Left))
+      return true;
     examineAll(Left);
     examineAll(Right);
     return true;
