@@ -36,11 +36,6 @@ private:
   void report(FloatingPointWarning Warning, const Twine &Message) {
     HasErrors |= reportWarning(Warnings, Warning, Message);
   }
-  bool has(ArrayRef<unsigned> IDs) const {
-    return any_of(Options, [&](const CommandLineOption &Option) {
-      return is_contained(IDs, Option.ID);
-    });
-  }
   bool reassociates(ArrayRef<const char *> More) const;
 
   const FloatingPointResolver &Resolver;
@@ -98,10 +93,17 @@ droppedRequest(const FloatingPointDecisions &Decisions,
   return std::nullopt;
 }
 
+// Whether a request to honour infinities or NaN stands before an umbrella.
+static bool mayDropRequests(ArrayRef<CommandLineOption> Options) {
+  const auto *First = find_if(Options, [](const CommandLineOption &Option) {
+    return explicitRequest(Option, Property::Infinity) > 0 ||
+           explicitRequest(Option, Property::NaN) > 0;
+  });
+  return std::any_of(First, Options.end(), isUmbrella);
+}
+
 void FlagWarner::warnOfOrder() {
-  if (!has(
-          {OPT_fno_finite_math_only, OPT_fhonor_infinities, OPT_fhonor_nans}) ||
-      none_of(Options, isUmbrella))
+  if (!mayDropRequests(Options))
     return;
   std::optional<FloatingPointDecisions> Decisions =
       decideFloatingPoint(Resolver, Options);
@@ -135,7 +137,10 @@ bool FlagWarner::reassociates(ArrayRef<const char *> More) const {
 void FlagWarner::warnOfAssociativeMath() {
   static constexpr const char *Companions[] = {"-fno-signed-zeros",
                                                "-fno-trapping-math"};
-  if (!has({OPT_fassociative_math}) || reassociates({}) ||
+  auto IsAssociativeMath = [](const CommandLineOption &Option) {
+    return Option.ID == OPT_fassociative_math;
+  };
+  if (none_of(Options, IsAssociativeMath) || reassociates({}) ||
       !reassociates(Companions))
     return;
   SmallVector<std::string, 2> Missing;
@@ -154,7 +159,9 @@ void FlagWarner::warnOfAssociativeMath() {
 }
 
 void FlagWarner::warnOfContraction() {
-  if (!has({OPT_ffp_contract}))
+  if (none_of(Options, [](const CommandLineOption &Option) {
+        return Option.name().starts_with("-ffp-contract=fast");
+      }))
     return;
   auto Decisions = decideFloatingPoint(Resolver, Options);
   if (!Decisions)
