@@ -54,7 +54,15 @@ def parse_arguments():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--tools", default="build/bin",
                         help="directory of tpcc and tpsim")
-    return parser.parse_args()
+    return parser.parse_args(joined_levels(sys.argv[1:]))
+
+
+def joined_levels(arguments):
+    """With "--levels -O2" as one word: alone, -O2 looks like an option."""
+    if "--levels" in arguments[:-1]:
+        i = arguments.index("--levels")
+        arguments[i : i + 2] = [f"--levels={arguments[i + 1]}"]
+    return arguments
 
 
 class Campaign:

@@ -33,7 +33,8 @@ template <class Real> class Checked {
 
 public:
   Checked() = default;
-  Checked(Real V) : Value(V) {}
+  Checked(float V) : Value(V) {}
+  Checked(double V) : Value(Real(V)) {}
   explicit Checked(int V) : Value(Real(V)) {}
 
   /// The value, which the evaluation depends on.
@@ -49,6 +50,10 @@ public:
       return 2147483647;
     return Value < Real(-2147483648.0) ? -2147483647 - 1 : int(Value);
   }
+  explicit operator float() const {
+    return Checked<float>(float(used())).used();
+  }
+  explicit operator double() const { return used(); }
   Checked operator-() const { return -used(); }
 
 #define CHECKED_OPERATOR(OPERATOR)                                             \
@@ -79,7 +84,10 @@ public:
   friend Checked FUNCTION(Checked A) { return ::FUNCTION(A.used()); }
   CHECKED_UNARY(sqrt)
   CHECKED_UNARY(fabs)
+  CHECKED_UNARY(floor)
 #undef CHECKED_UNARY
+
+  friend Checked root(Checked A) { return sqrt(A); }
 
 #define CHECKED_BINARY(FUNCTION)                                               \
   friend Checked FUNCTION##f(Checked A, Checked B) {                           \

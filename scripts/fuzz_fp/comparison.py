@@ -93,7 +93,7 @@ def compare(function, results, ranges):
                 continue
             bits = result[function.number, number]
             outcome.evaluations += len(bits)
-            contracts = configuration.contracts(function.type)
+            contracts = configuration.contracts(function)
             for context, value in zip(CONTEXTS, bits):
                 here = Evaluation(configuration, context, number, value)
                 for scope in (configuration.target, ""):

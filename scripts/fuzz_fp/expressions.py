@@ -60,8 +60,10 @@ OPERATIONS = (
     (2, "({0} / {1} - {2} / {3})"),
     (2, "(1.0@ / {0})"),
     (2, "(2.0@ * {0} / 3.0@)"),
-    (3, "sqrt@({0})"),
-    (3, "(1.0@ / sqrt@({0}))"),
+    (2, "sqrt@(fabs@({0}))"),
+    (1, "sqrt@({0})"),
+    (2, "(1.0@ / sqrt@(fabs@({0})))"),
+    (1, "(1.0@ / sqrt@({0}))"),
     (2, "({0} / sqrt@({0} * {0} + {1} * {1}))"),
     (1, "(sqrt@({0}) * sqrt@({0}))"),
     (1, "(sqrt@({0}) * sqrt@({1}))"),
@@ -81,6 +83,19 @@ OPERATIONS = (
     (2, "(Real)(int)({0})"),
     (1, "(Real)(int)(16.0@ * ({0} / {1}))"),
     (1, "({0} - (Real)(int)({0}))"),
+    (1, "floor@({0})"),
+    (1, "({0} - floor@({0}))"),
+    (1, "({0} < 0.0@ ? -{0} : {0})"),
+    (1, "({0} < {1} && {2} / {1} > 1.0@ ? {2} : {3})"),
+    (1, "(Real)((double){0} * {1})"),
+    (1, "(Real)((float){0} / (float){1})"),
+    (1, "((Real)(n * 3) * {0})"),
+    # Inline functions.
+    (2, "dot(s, Vector<Real>{{{0}, {1}, {2}}})"),
+    (2, "length(Vector<Real>{{{0}, {1}, {2}}})"),
+    (1, "(s * Real({0}) + Vector<Real>{{{1}, {2}, {0}}} * Real({1})).y"),
+    (2, "normalize(Vector<Real>{{{0}, {1}, {2}}}).z"),
+    (2, "mix<Real>({0}, {1}, {2})"),
     (1, "(({0} * 0.3@ + 1.7@) * {0} + 0.25@)"),
     (1, "((({0} * {1} + {2}) * {1} + {3}) * {1} + {0})"),
 )
@@ -88,7 +103,10 @@ POWERS = (
     "2.0@", "3.0@", "4.0@", "5.0@", "0.5@", "1.5@", "-1.0@", "-2.0@", "0.25@",
     "-0.5@", "2.5@", "1.0@",
 )
-POSITIONS = tuple("{%d}" % i for i in range(4))
+
+
+def operand_count(template):
+    return sum("{%d}" % i in template for i in range(4))
 
 
 class ExpressionMaker:
@@ -118,9 +136,11 @@ class ExpressionMaker:
             [operation[0] for operation in OPERATIONS],
         )[0]
         template = template.replace("{power}", self.random.choice(POWERS))
-        count = sum(position in template for position in POSITIONS)
         return Expression(
-            template, tuple(self.make(depth - 1) for _ in range(count))
+            template,
+            tuple(
+                self.make(depth - 1) for _ in range(operand_count(template))
+            ),
         )
 
 

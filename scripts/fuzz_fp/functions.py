@@ -3,8 +3,15 @@
 
 import dataclasses
 import random
+import re
 
-from expressions import Expression, ExpressionMaker, simpler
+from expressions import ExpressionMaker, operand_count, simpler
+
+# What may stand before the statements.
+PRAGMAS = (
+    "contract(off)", "contract(on)", "contract(fast)", "reassociate(off)",
+    "reassociate(on)", "reciprocal(off)", "reciprocal(on)",
+)
 
 # A loop: its lines, whose {0} and {1} are expressions before the loop. The
 # result is the variable %.
@@ -34,6 +41,17 @@ LOOPS = (
     "Real % = p[0]; for (int i = 1; i < n; ++i) % = fmin@(%, p[i]);",
     "Real % = p[0]; for (int i = 1; i < 8; ++i) % = p[i] > % ? p[i] : %;",
     "Real % = {0}; for (int i = 0; i < n; ++i) % = fmax@(%, p[i] * {1});",
+    # Nested, with an early end, and with the sum in memory.
+    "Real % = 0.0@; for (int i = 0; i < 3; ++i) for (int j = 0; j < 3; ++j) "
+    "% += p[i] * p[j + 3] / {0};",
+    "Real % = {0}; for (int i = 0; i < n; ++i) "
+    "{{ if (% * {1} > 100.0@) break; % += p[i] * p[i] * {1}; }}",
+    "q[6] = 0.0@; for (int i = 0; i < n; ++i) q[6] += p[i] * {0}; "
+    "Real % = q[6];",
+    "Vector<Real> w% = {{0.0@, 0.0@, 0.0@}}; for (int i = 0; i < n; ++i) "
+    "w% = w% + s * p[i] * Real({0}); Real % = length(w%);",
+    "Real % = 0.0@; for (int i = 0; i < n; ++i) % += mix<Real>(p[i], {0}, {1});",
+    "Real % = 0.0@; for (int i = 0; i < n; ++i) % += (Real)i * {0} / {1};",
     # Stores that other pointers may see.
     "for (int i = 0; i < n; ++i) q[i] = p[i] * {0}; Real % = q[1];",
     "for (int i = 0; i < 4; ++i) q[i] = q[i] / {0} + p[i]; Real % = q[3];",
@@ -70,6 +88,12 @@ class Function:
         lines = [statement.text() for statement in self.statements]
         return "\n".join("  " + line for line in lines).replace("@", suffix)
 
+    def asks_for_contraction(self):
+        return any(
+            f"contract({word})" in self.statements[0].template
+            for word in ("on", "fast")
+        )
+
 
 SETS = 3
 MEMORY = 12
@@ -105,12 +129,15 @@ def random_function(seed, number):
     generator = random.Random(f"{seed} {number}")
     maker = ExpressionMaker(generator)
     statements = []
-    for i in range(generator.choices((0, 1, 2, 3), (4, 3, 2, 1))[0]):
+    if generator.random() < 0.15:
+        pragma = f"_Pragma(\"clang fp {generator.choice(PRAGMAS)}\")"
+        statements.append(Statement(pragma, ()))
+    for i in range(generator.choices((0, 1, 2, 3), (10, 5, 2, 1))[0]):
         name = f"v{i}"
         kind = generator.random()
         if kind < 0.35:
             template = generator.choice(LOOPS).replace("%", name)
-            operands = (maker.make(1), maker.make(1))
+            operands = (maker.make(1), maker.make(1))[: operand_count(template)]
         elif kind < 0.45:
             template = "q[%d] = {0};" % generator.randrange(4)
             operands = (maker.make(2),)
@@ -139,9 +166,13 @@ def simpler_functions(function):
     """Functions that are one step simpler, the simplest first."""
     statements = function.statements
     for i in range(len(statements) - 1):
-        name = f"v{i}"
         rest = statements[:i] + statements[i + 1 :]
-        if not any(name in statement.text() for statement in rest):
+        names = re.findall(r"\bReal (v\d)", statements[i].template)
+        if not any(
+            re.search(rf"\b{name}\b", other.text())
+            for name in names
+            for other in rest
+        ):
             yield dataclasses.replace(function, statements=rest)
     for i, statement in enumerate(statements):
         for position, expression in enumerate(statement.expressions):

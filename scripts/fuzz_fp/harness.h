@@ -23,6 +23,31 @@ template <class Real> struct Vector {
   Real x, y, z;
 };
 
+// What kernels' vector classes have: expressions behind inline functions.
+inline float root(float X) { return sqrtf(X); }
+inline double root(double X) { return sqrt(X); }
+template <class Real>
+inline Vector<Real> operator+(const Vector<Real> &A, const Vector<Real> &B) {
+  return {A.x + B.x, A.y + B.y, A.z + B.z};
+}
+template <class Real>
+inline Vector<Real> operator*(const Vector<Real> &A, Real Factor) {
+  return {A.x * Factor, A.y * Factor, A.z * Factor};
+}
+template <class Real>
+inline Real dot(const Vector<Real> &A, const Vector<Real> &B) {
+  return A.x * B.x + A.y * B.y + A.z * B.z;
+}
+template <class Real> inline Real length(const Vector<Real> &A) {
+  return root(dot(A, A));
+}
+template <class Real> inline Vector<Real> normalize(const Vector<Real> &A) {
+  return A * (Real(1.0f) / length(A));
+}
+template <class Real> inline Real mix(Real A, Real B, Real Weight) {
+  return A * (Real(1.0f) - Weight) + B * Weight;
+}
+
 constexpr int MemorySize = 12;
 
 /// What the pointers of a call see; changed by the call.

@@ -8,7 +8,7 @@ CONTEXTS = (
 )
 UNROLLED = 2
 # Inputs that are also compiled as constants, the first ones.
-CONSTANT_SETS = 2
+CONSTANT_SETS = 1
 
 
 def literal(value, real):

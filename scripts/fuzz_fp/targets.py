@@ -56,13 +56,12 @@ class Configuration:
     def is_native(self):
         return self.target.startswith("native")
 
-    def contracts(self, real):
-        """Whether expressions of that type are fused; the TP's doubles are
-        software."""
+    def contracts(self, function):
+        """Whether its expressions are fused; the TP's doubles are software."""
         return (
             self.has_fma
-            and self.flags in CONTRACTED
-            and (self.is_native or real == "float")
+            and (self.flags in CONTRACTED or function.asks_for_contraction())
+            and (self.is_native or function.type == "float")
         )
 
     def __str__(self):
