@@ -9,6 +9,7 @@
 #include "llvm-backend/FloatingPoint/FloatingPointOptions.h"
 #include "llvm-backend/FloatingPoint/FloatingPointTarget.h"
 #include "llvm-backend/FloatingPoint/FloatingPointUnits.h"
+#include "llvm-backend/FloatingPoint/Reductions.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/Module.h"
 #include "llvm/IR/Operator.h"
@@ -52,21 +53,24 @@ static bool isToBeRewritten(const Function &F) {
          !F.hasFnAttribute(Attribute::StrictFP);
 }
 
-static void canonicalize(Function &F) {
+static void canonicalize(Function &F, FunctionAnalysisManager &Analyses) {
   FloatingPointTarget Target(F);
   splitMultiplyAdds(F);
   expandPowers(F);
   replaceDivisions(F, Target);
   rebuildProducts(F);
   factorSums(F);
+  bool HasReductions = markReductions(F);
   contractSums(F, Target);
   fixMathFunctions(F);
   stripFastMathFlags(F);
+  if (HasReductions)
+    splitReductions(F, Analyses);
   F.addFnAttr(CanonicalAttribute);
 }
 
-PreservedAnalyses FloatingPointCanonicalizerPass::run(Module &M,
-                                                      ModuleAnalysisManager &) {
+PreservedAnalyses
+FloatingPointCanonicalizerPass::run(Module &M, ModuleAnalysisManager &AM) {
   describeUnit(M);
   if (!isFloatingPointCanonicalizationEnabled())
     return PreservedAnalyses::all();
@@ -77,8 +81,10 @@ PreservedAnalyses FloatingPointCanonicalizerPass::run(Module &M,
   // A wrapper is recognized before it is rewritten itself.
   for (Function *F : Functions)
     forwardMathWrappers(*F);
+  FunctionAnalysisManager &Analyses =
+      AM.getResult<FunctionAnalysisManagerModuleProxy>(M).getManager();
   for (Function *F : Functions)
-    canonicalize(*F);
+    canonicalize(*F, Analyses);
   // The checked mode looks for them, and removes them itself.
   if (!isFloatingPointCheckEnabled())
     for (Function &F : M)

@@ -117,7 +117,7 @@ bool ProductChain::isWorthRebuilding() const {
   return Links > 1 &&
          (hasPower(Numerator) || hasPower(Denominator) || Negations > 1 ||
           Multipliers.size() + Divisors.size() > 1 || !Divisors.empty() ||
-          Reciprocals > 1);
+          Reciprocals > 1 || (!Multipliers.empty() && !Denominator.empty()));
 }
 
 bool ProductChain::mergeConstants(Constant *&Merged) const {
@@ -156,13 +156,17 @@ Value *ProductChain::rebuild() {
   IRBuilder<> Builder(&Root);
   Builder.setFastMathFlags(Flags);
   Value *Product = createProduct(Builder, Numerator);
-  if (Literal && !(Product && isOne(*Literal)))
-    Product = multiply(Builder, Product, *Literal);
-  if (!Denominator.empty())
-    Product =
-        multiply(Builder, Product,
-                 *Builder.CreateFDiv(ConstantFP::get(Root.getType(), 1.0),
-                                     createProduct(Builder, Denominator)));
+  // The literal goes with the reciprocal: in loops, divisors often stay.
+  Value *Scale = Literal && !isOne(*Literal) ? Literal : nullptr;
+  if (!Denominator.empty()) {
+    Value *Reciprocal = Builder.CreateFDiv(ConstantFP::get(Root.getType(), 1.0),
+                                           createProduct(Builder, Denominator));
+    Scale = multiply(Builder, Scale, *Reciprocal);
+  }
+  if (Scale)
+    Product = multiply(Builder, Product, *Scale);
+  if (!Product)
+    return nullptr;
   return Negations % 2 ? Builder.CreateFNeg(Product) : Product;
 }
 

@@ -7,6 +7,7 @@
 #include "llvm-backend/FloatingPoint/CanonicalizerSteps.h"
 #include "llvm-backend/FloatingPoint/Expressions.h"
 #include "llvm-backend/FloatingPoint/FloatingPointTarget.h"
+#include "llvm-backend/FloatingPoint/Reductions.h"
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/IntrinsicInst.h"
@@ -185,12 +186,12 @@ static Instruction *matchContractableProduct(Value &V, const Instruction &Sum) {
   return Product;
 }
 
-static Value *createFused(IRBuilderBase &Builder, Value *A, Value *B,
-                          Value *C) {
+static Instruction *createFused(IRBuilderBase &Builder, Value *A, Value *B,
+                                Value *C) {
   return Builder.CreateIntrinsic(Intrinsic::fma, {A->getType()}, {A, B, C});
 }
 
-static Value *createFusedSum(Instruction &Sum) {
+static Instruction *createFusedSum(Instruction &Sum) {
   Value *Left = Sum.getOperand(0), *Right = Sum.getOperand(1);
   bool IsDifference = Sum.getOpcode() == Instruction::FSub;
   IRBuilder<> Builder(&Sum);
@@ -206,8 +207,11 @@ static Value *createFusedSum(Instruction &Sum) {
 }
 
 static void contractSum(Instruction &Sum) {
-  if (Value *Fused = createFusedSum(Sum))
-    replaceExpression(Sum, *Fused);
+  Instruction *Fused = createFusedSum(Sum);
+  if (!Fused)
+    return;
+  copyReductionMark(Sum, *Fused);
+  replaceExpression(Sum, *Fused);
 }
 
 // The sum whose terms \p I adds to, through other sums.
