@@ -78,21 +78,21 @@ class Compiler:
 
     def origin(self, flags, setting, value):
         """The flag that gave the setting its value; empty: the default did."""
-        places = [i for i, word in enumerate(flags) if is_setting_word(word)]
-        last = ""
-        before = None
-        for place in places:
-            prefix = flags[: place + 1]
-            now = self.settings(prefix)[setting]
-            if now == value and now != before:
-                last = flags[place]
-            before = now
-        return last
-
-    def shadowed_word(self, flags, setting, value):
-        """A flag that would give the setting another value if it stood last;
-        empty if there is none."""
+        origin = ""
+        before = self.settings([])[setting]
         for place, word in enumerate(flags):
+            if not is_setting_word(word):
+                continue
+            now = self.settings(flags[: place + 1])[setting]
+            if now == value and now != before:
+                origin = word
+            before = now
+        return origin
+
+    def overridden_word(self, flags, origin, setting, value):
+        """A flag before `origin` that would give the setting another value if
+        it stood last; empty if there is none."""
+        for place, word in enumerate(flags[: _last(flags, origin)]):
             if not is_setting_word(word) or word.startswith("-O"):
                 continue
             moved = flags[:place] + flags[place + 1 :] + [word]
@@ -123,6 +123,11 @@ class Compiler:
             if shutil.which(name):
                 return [name, "-d", "--no-show-raw-insn", "--no-leading-addr"]
         return None
+
+
+def _last(flags, word):
+    """The place of its last occurrence; 0 if there is none."""
+    return len(flags) - 1 - flags[::-1].index(word) if word in flags else 0
 
 
 def llvm_words(options):

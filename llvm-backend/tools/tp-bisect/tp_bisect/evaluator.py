@@ -86,8 +86,9 @@ class Evaluator:
                     + _shown_output(build.finished)
                 )
         self._oracle.reference = self._first_good(good)
-        good_complaints = self._repeat(good)
-        bad_complaints = self._repeat(bad)
+        good_complaints = [self._oracle.complaint(self._oracle.reference)]
+        good_complaints += self._complaints(good, self._request.repeat - 1)
+        bad_complaints = self._complaints(bad, self._request.repeat)
         self._refuse_chance("good", good_complaints)
         if good_complaints[0]:
             raise UserError(
@@ -121,9 +122,9 @@ class Evaluator:
             )
         return seen
 
-    def _repeat(self, build):
+    def _complaints(self, build, count):
         complaints = []
-        for _ in range(self._request.repeat):
+        for _ in range(count):
             complaints.append(self._oracle.complaint(self._oracle.observe(build)))
             self._progress.count(tests=1)
         return complaints
@@ -189,7 +190,9 @@ class Evaluator:
             verdict = self._judge_built(build)
         finally:
             self._discard(build)
-        self._state.put(key, asdict(verdict))
+        # What could not be judged may work the next time.
+        if verdict.is_bad is not None:
+            self._state.put(key, asdict(verdict))
         return verdict
 
     def _judge_built(self, build):

@@ -15,8 +15,10 @@ class Setting:
     """A primitive setting of the floating-point arithmetic or the optimizer.
 
     `cc1` is the argument of the compiler proper that turns it on; a trailing
-    `=` means that it has a value, None that its absence turns it on. `render`
-    turns it on alone, without the company that the driver wants; `words` is
+    `=` means that it has a value, None that its absence turns it on; `macro`
+    is all that there is of it if that is a macro. `render`
+    turns it on alone, without the company that the driver wants, and
+    `off_render` off, where all of `off_if` would bring it; `words` is
     what a user writes and `off_words` what undoes it. `pragma` undoes it in a
     block. `company` are settings that the driver wants with it.
     """
@@ -28,11 +30,34 @@ class Setting:
     off_words: str
     meaning: str
     off_render: str = ""
+    off_if: tuple = ()
     pragma: str = ""
     company: tuple = ()
+    macro: str = ""
 
 
+# First what is seen before the code: a search takes the first that suffices.
 SETTINGS = [
+    Setting(
+        "macro __FINITE_MATH_ONLY__",
+        "-ffinite-math-only",
+        "-U__FINITE_MATH_ONLY__ -D__FINITE_MATH_ONLY__=1",
+        "-ffinite-math-only",
+        "-fno-finite-math-only",
+        "the macro __FINITE_MATH_ONLY__ is 1",
+        off_render="-U__FINITE_MATH_ONLY__ -D__FINITE_MATH_ONLY__=0",
+        off_if=("no infinities", "no NaNs"),
+        macro="__FINITE_MATH_ONLY__",
+    ),
+    Setting(
+        "macro __FAST_MATH__",
+        "-ffast-math",
+        "-D__FAST_MATH__=1",
+        "-ffast-math",
+        "-fno-fast-math",
+        "the macro __FAST_MATH__ is defined",
+        macro="__FAST_MATH__",
+    ),
     Setting(
         "reciprocal",
         "-freciprocal-math",
@@ -103,22 +128,6 @@ SETTINGS = [
         off_render="-fmath-errno",
     ),
     Setting(
-        "macro __FINITE_MATH_ONLY__",
-        "-ffinite-math-only",
-        "-U__FINITE_MATH_ONLY__ -D__FINITE_MATH_ONLY__=1",
-        "-ffinite-math-only",
-        "-fno-finite-math-only",
-        "the macro __FINITE_MATH_ONLY__ is 1",
-    ),
-    Setting(
-        "macro __FAST_MATH__",
-        "-ffast-math",
-        "-D__FAST_MATH__=1",
-        "-ffast-math",
-        "-fno-fast-math",
-        "the macro __FAST_MATH__ is defined",
-    ),
-    Setting(
         "flush denormals",
         "crtfastmath.o",
         "-mdaz-ftz",
@@ -161,6 +170,12 @@ SETTINGS = [
     ),
 ]
 _BY_NAME = {setting.name: setting for setting in SETTINGS}
+# Making instructions strict does not undo these.
+_BESIDE_INSTRUCTIONS = [
+    "optimization level",
+    "flush denormals",
+    *(setting.name for setting in SETTINGS if setting.macro),
+]
 _ERRNO = "-fmath-errno"
 # What a value means that the compiler proper is not told.
 _IMPLIED_VALUES = {
@@ -208,10 +223,15 @@ def read_settings(cc1_words):
         elif setting.cc1 in _IMPLIED_VALUES:
             found[setting.name] = _value(setting.cc1, cc1_words)
         else:
-            found[setting.name] = any(
-                word.endswith(setting.cc1) for word in cc1_words
-            )
+            found[setting.name] = _is_on(setting, cc1_words)
     return found
+
+
+def _is_on(setting, words):
+    for word in reversed(words):
+        if setting.macro and word.startswith(setting.macro + "="):
+            return not word.endswith("=0")
+    return any(word.endswith(setting.cc1) for word in words)
 
 
 def _value(prefix, words):
@@ -235,8 +255,8 @@ def render_settings(settings):
                 words.append(setting.render + value)
         elif value:
             words += setting.render.split()
-        elif setting.off_render:
-            words.append(setting.off_render)
+        elif all(settings[name] for name in setting.off_if):
+            words += setting.off_render.split()
     return words
 
 
@@ -264,7 +284,7 @@ class Unit:
 
     def off_words(self):
         """What a user writes behind the bad flags to be without it."""
-        if not self.setting:
+        if not self.setting or self.setting == "optimization level":
             return []
         words = _BY_NAME[self.setting].off_words
         return self._text(words, self.good_value).split()
@@ -278,6 +298,14 @@ class Unit:
     def meaning(self):
         """What it permits."""
         return _BY_NAME[self.setting].meaning if self.setting else "a flag"
+
+    def acts_on_instructions(self):
+        """Whether it matters to some floating-point instructions or others."""
+        return bool(self.setting) and self.setting not in _BESIDE_INSTRUCTIONS
+
+    def macro(self):
+        """The macro that is all there is of it; mostly empty."""
+        return _BY_NAME[self.setting].macro if self.setting else ""
 
     def pragma(self):
         """What turns it off in a block; empty if nothing does."""

@@ -38,14 +38,15 @@ def find_mending(evaluator, progress, bad_flags, units, functions, work_folder):
             if problem is None:
                 return Mending(pragmas, _places(functions), flags, verified=True)
     flags = tuple(word for unit in units for word in unit.off_words())
-    if flags and _is_good(evaluator, bad_flags + flags):
+    if flags and _judge(evaluator, bad_flags + flags).is_bad is False:
         return Mending(flags=flags, verified=True, problem=problem)
     return Mending(problem=problem)
 
 
-def _is_good(evaluator, flags, replacements=()):
-    configuration = Configuration(tuple(flags), replacements=tuple(replacements))
-    return evaluator.judge(configuration).is_bad is False
+def _judge(evaluator, flags, replacements=()):
+    return evaluator.judge(
+        Configuration(tuple(flags), replacements=tuple(replacements))
+    )
 
 
 def _pragma_candidates(units, bad_flags):
@@ -85,9 +86,10 @@ def _try_pragmas(evaluator, flags, pragmas, functions, folder):
         copy = folder / f"{len(replacements)}-{abs(hash(pragmas))}-{Path(path).name}"
         copy.write_text(mended)
         replacements.append((path, str(copy)))
-    if _is_good(evaluator, flags, replacements):
-        return None
-    return "no pragma in the function mends it"
+    verdict = _judge(evaluator, flags, replacements)
+    if verdict.is_bad is None:
+        return f"a source with a pragma cannot be judged: {verdict.reason}"
+    return "no pragma in the function mends it" if verdict.is_bad else None
 
 
 def insert_pragmas(text, lines, pragmas):

@@ -16,6 +16,17 @@ _CONTEXT = 2
 _MOST_LINES = 60
 
 
+@dataclass(frozen=True)
+class _Relevant:
+    """What a pass changed, and how likely that is what is looked for."""
+
+    relevance: int = 0
+    changes: tuple = ()
+
+
+_NO_CHANGE = _Relevant()
+
+
 @dataclass
 class PassStep:
     """The step and what it changed.
@@ -71,30 +82,30 @@ def find_pass(evaluator, progress, configuration, functions):
 
 
 def _describe(evaluator, progress, step, functions):
-    """Names the step and fetches the IR around it."""
+    """Names the step and fetches the IR around it. Where several compilers
+    run, each has a step of the number: one that changes a guilty source, or
+    anything at all, is the one."""
     progress.phase(f"printing the IR around step {step.number}")
     log = evaluator.build_log(step.configuration.with_options("-print-pass-numbers"))
     lines = (log or "").splitlines()
     wanted = f"BISECT: running pass ({step.number}) "
-    for place, line in enumerate(lines):
-        if not line.startswith(wanted):
-            continue
-        step.description = step.description or line[len(wanted) :]
-        following = lines[place + 1] if place + 1 < len(lines) else ""
-        match = _NUMBERED.match(following)
-        if not match:
-            continue
-        found = _changes_of(
-            evaluator, step.configuration, match[1], match[2], functions
-        )
-        if found:
-            step.description = line[len(wanted) :]
-            step.changes = found
-            return
+    found = []
+    for line, following in zip(lines, [*lines[1:], ""]):
+        if line.startswith(wanted):
+            match = _NUMBERED.match(following)
+            change = match and _changes_of(
+                evaluator, step.configuration, match, functions
+            )
+            found.append((line[len(wanted) :], change or _NO_CHANGE))
+    if found:
+        found.sort(key=lambda pair: -pair[1].relevance)
+        step.description, change = found[0]
+        step.changes = change.changes
 
 
-def _changes_of(evaluator, configuration, number, pass_name, functions):
-    """What the pass with a number in its pipeline changed in the functions."""
+def _changes_of(evaluator, configuration, numbered, functions):
+    """What a pass, with its number in its pipeline, changed."""
+    number, pass_name, unit = numbered.groups()
     log = evaluator.build_log(
         configuration.with_options(
             _QUIET,
@@ -104,14 +115,16 @@ def _changes_of(evaluator, configuration, number, pass_name, functions):
         )
     )
     sources = {f.source for f in functions}
-    dumps = [d for d in read_dumps(log or "") if d.pass_name == pass_name]
-    # A link has all sources in one module.
-    dumps.sort(key=lambda dump: dump.before.source not in sources)
-    for dump in dumps:
+    best = _NO_CHANGE
+    for dump in read_dumps(log or ""):
         found = changes(dump, _CONTEXT, _MOST_LINES)
-        if found:
-            return _most_relevant(found, functions)
-    return ()
+        if not found or (dump.pass_name, dump.unit) != (pass_name, unit):
+            continue
+        # A link has all sources in one module.
+        relevance = 2 if dump.before.source in sources else 1
+        if relevance > best.relevance:
+            best = _Relevant(relevance, _most_relevant(found, functions))
+    return best
 
 
 def _most_relevant(found, functions):
@@ -140,23 +153,22 @@ def _find_required(evaluator, progress, base, total, functions):
     bare = base.with_last_pass(0)
     step = PassStep("code generator", total=total, configuration=bare)
     log = evaluator.build_log(bare.with_options("-print-pass-numbers", _QUIET)) or ""
-    numbers = {
-        match[1]
+    passes = [
+        match
         for match in map(_NUMBERED.match, log.splitlines())
         if match and match[2] == _CANONICALIZER
-    }
+    ]
     without = bare.with_options(_QUIET, "-tp-fp-canonicalize=0")
-    if numbers and not evaluator.judge(without).is_bad:
+    if passes and not evaluator.judge(without).is_bad:
         step.kind = "canonicalizer"
         step.description = "tp-fp-canonicalize, which rewrites what the flags allow"
-        for number in sorted(numbers, key=int):
-            step.changes = _changes_of(
-                evaluator, bare, number, _CANONICALIZER, functions
-            )
-            if step.changes:
-                break
+        found = [_changes_of(evaluator, bare, p, functions) for p in passes[:1]]
+        step.changes = found[0].changes
         return step
-    step.description = "the code generator, with no optional pass run"
+    step.description = (
+        "none: the program is bad before any optional pass, so by the code "
+        "generator or the front end"
+    )
     return step
 
 

@@ -150,7 +150,7 @@ def _narrow(evaluator, progress, configuration, functions):
         replace(f, items=tuple(item for g, item in places if g is f))
         for f in dict.fromkeys(f for f, _ in places)
     )
-    return PlaceSearch(guilty, len(unique))
+    return PlaceSearch(guilty, len({f.entry() for f in functions}))
 
 
 def _entries(places):

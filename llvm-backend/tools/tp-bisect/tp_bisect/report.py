@@ -2,6 +2,7 @@
 """The report, as text and as JSON."""
 
 import json
+import os
 import shlex
 from dataclasses import asdict
 from pathlib import Path
@@ -24,7 +25,7 @@ def to_json(found, request, progress):
                     "words": guilty.unit.user_words(),
                     "setting": guilty.unit.setting,
                     "origin": guilty.origin,
-                    "shadowed": guilty.shadowed,
+                    "overridden": guilty.overridden,
                 }
                 for guilty in found.flags
             ],
@@ -36,6 +37,7 @@ def to_json(found, request, progress):
             "step": step,
             "machine_code": found.machine_code,
             "mending": asdict(found.mending),
+            "failed_builds": found.failed_builds,
             "builds": progress.builds,
             "tests": progress.tests,
             "seconds": round(progress.seconds(), 1),
@@ -48,13 +50,20 @@ def to_text(found, request, progress):
     """The findings for a person."""
     sections = [
         _flags_section(found),
-        _places_section(found),
+        _places_section(found, request),
         _step_section(found),
         _mending_section(found, request),
     ]
     lines = [f"bad: {found.bad_reason}", ""]
     for section in sections:
         lines += section + [""]
+    if found.failed_builds:
+        lines += [
+            f"{len(found.failed_builds)} builds failed and were taken for neither "
+            "good nor bad; the first:",
+            found.failed_builds[0],
+            "",
+        ]
     lines.append(f"({progress.summary()})")
     return "\n".join(lines) + "\n"
 
@@ -77,39 +86,72 @@ def _flags_section(found):
 def _flag_lines(guilty):
     unit = guilty.unit
     lines = [f"{unit.title()}: {unit.meaning()}"]
-    if guilty.origin and guilty.origin != unit.title():
+    if unit.setting and not guilty.origin:
+        lines[0] += "; it is the compiler's default"
+    elif unit.setting and guilty.origin != unit.title():
         lines[0] += f"; {guilty.origin} turns it on"
     company = unit.user_words()[1:]
     if company and unit.setting:
         lines.append(
             f"alone the driver ignores it: it wants {' '.join(company)} as well"
         )
-    if guilty.shadowed:
+    if guilty.overridden:
         lines.append(
-            f"order: {guilty.shadowed} stands before {guilty.origin}, which "
+            f"order: {guilty.overridden} stands before {guilty.origin}, which "
             "overrides it; put it last"
         )
     return lines
 
 
-def _places_section(found):
+def _places_section(found, request):
     places = found.places
     if places.is_front_end:
         return [
             "guilty function: none; the program is bad with every instruction "
             "strict",
-            _INDENT + "the flag acts before or beside the code: through macros, "
-            "in what the front end folds,",
-            _INDENT + "in start-up code or in the code generator",
+            _INDENT + "the flag acts before or beside the code: in what the front "
+            "end folds, in start-up code",
         ]
     if not places.functions:
-        return [f"guilty function: not found: {places.problem}"]
+        macros = [g.unit.macro() for g in found.flags if g.unit.macro()]
+        return (
+            _macro_lines(macros, request)
+            or _changed_lines(found.step)
+            or [f"guilty function: not found: {places.problem}"]
+        )
     lines = []
     for function in places.functions:
         lines.append(
-            f"guilty function: {function.name}  (of {places.considered} functions)"
+            f"guilty function: {function.name}  (1 of {places.considered})"
         )
         lines += [_INDENT + line for line in _item_lines(function)]
+    return lines
+
+
+def _macro_lines(macros, request):
+    """Where the sources that the build command names test a macro."""
+    lines = []
+    for path in filter(os.path.isfile, shlex.split(request.build)):
+        text = Path(path).read_text(errors="replace").splitlines()
+        for number, line in enumerate(text, 1):
+            if any(macro in line for macro in macros):
+                lines.append(f"{_INDENT}{path}:{number}: {line.strip()}")
+    if macros:
+        where = "tested here:" if lines else "tested in a header"
+        lines.insert(
+            0, f"guilty function: none, but the macro {macros[0]}, {where}"
+        )
+    return lines
+
+
+def _changed_lines(step):
+    """The functions that the guilty pass changed, and the first place."""
+    lines = []
+    for change in step.changes:
+        touched = [x for x in change.diff if x[:1] in "+-" and "  ; " in x]
+        lines.append(f"guilty function: {change.function}, which the pass changed")
+        if touched:
+            lines.append(f"{_INDENT}at {touched[0].rsplit('  ; ', 1)[1]}")
     return lines
 
 
@@ -166,11 +208,11 @@ def _mending_section(found, request):
     mending = found.mending
     if not mending.verified:
         return [f"mending: none that could be verified: {mending.problem}"]
-    lines = ["mending, verified by a build that is good:"]
+    base = request.bad if found.rest_is_good else found.user_flags
+    lines = [f"mending, verified by a good build with {shlex.join(base)}:"]
     for place in mending.places:
         lines.append(f"at the begin of the body of the function at {place}:")
         lines += [_INDENT + pragma for pragma in mending.pragmas]
     if mending.flags:
-        with_it = shlex.join([*request.bad, *mending.flags])
-        lines.append(f"flags: {with_it}")
+        lines.append(f"behind these flags: {shlex.join(mending.flags)}")
     return [lines[0]] + [_INDENT + line for line in lines[1:]]

@@ -19,7 +19,7 @@ class GuiltyFlag:
 
     unit: Unit
     origin: str = ""
-    shadowed: str = ""
+    overridden: str = ""
 
 
 @dataclass
@@ -37,6 +37,7 @@ class Findings:
     machine_code: list = field(default_factory=list)
     mending: Mending = field(default_factory=Mending)
     step_command: str = ""
+    failed_builds: list = field(default_factory=list)
 
 
 class Search:
@@ -64,12 +65,19 @@ class Search:
         baseline = self._evaluator.check_baseline(good, bad)
         found = Findings(bad_reason=baseline.bad_reason, considered=len(space.units))
         guilty = self._find_flags(space, found)
-        self._find_places(Configuration(tuple(space.render(guilty))), found)
-        self._find_step(Configuration(tuple(space.render(guilty))), found)
+        configuration = Configuration(tuple(space.render(guilty)))
+        if any(unit.acts_on_instructions() for unit in guilty):
+            self._find_places(configuration, found)
+        if all(unit.macro() for unit in guilty):
+            found.step = PassStep(problem="macros are gone before any pass")
+        else:
+            self._find_step(configuration, found)
+        found.failed_builds = list(self._evaluator.failed_builds)
         found.mending = find_mending(
             self._evaluator,
             self._progress,
-            tuple(request.bad),
+            # Where more is guilty, mending this does not make all good.
+            tuple(request.bad if found.rest_is_good else found.user_flags),
             guilty,
             found.places.functions,
             request.work_folder,
@@ -140,12 +148,10 @@ class Search:
     def _describe_unit(self, unit):
         if not unit.setting:
             return GuiltyFlag(unit)
-        arguments = (self._request.bad, unit.setting, unit.value)
-        return GuiltyFlag(
-            unit,
-            self._compiler.origin(*arguments),
-            self._compiler.shadowed_word(*arguments),
-        )
+        bad, name, value = self._request.bad, unit.setting, unit.value
+        origin = self._compiler.origin(bad, name, value)
+        overridden = self._compiler.overridden_word(bad, origin, name, value)
+        return GuiltyFlag(unit, origin, overridden)
 
     # Places -----------------------------------------------------------------
 

@@ -1,0 +1,3 @@
+#include "scale.h"
+
+float share(float value, float whole) { return value / whole; }
