@@ -98,8 +98,8 @@ namespace {
 class SetProperties {
 public:
   explicit SetProperties(const FloatingPointResolver &Resolver)
-      : Resolver(Resolver),
-        Without{under(OneExtreme, {}), under(OtherExtreme, {})} {}
+      : Resolver(Resolver), OneWithout(under(OneExtreme, {})),
+        OtherWithout(under(OtherExtreme, {})) {}
 
   /// For each property, whether \p Option sets it to its value in \p After.
   std::array<bool, NumFloatingPointProperties>
@@ -115,7 +115,7 @@ private:
   }
 
   const FloatingPointResolver &Resolver;
-  std::array<std::optional<FloatingPointSettings>, 2> Without;
+  std::optional<FloatingPointSettings> OneWithout, OtherWithout;
 };
 } // namespace
 
@@ -125,11 +125,11 @@ SetProperties::operator()(const CommandLineOption &Option,
   std::array<bool, NumFloatingPointProperties> Sets{};
   auto One = under(OneExtreme, Option.Words);
   auto Other = under(OtherExtreme, Option.Words);
-  if (!One || !Other || !Without[0] || !Without[1])
+  if (!One || !Other || !OneWithout || !OtherWithout)
     return Sets;
   for (size_t I = 0; I < NumFloatingPointProperties; ++I) {
     auto Property = static_cast<FloatingPointProperty>(I);
-    Sets[I] = (*Without[0])[Property] != (*Without[1])[Property] &&
+    Sets[I] = (*OneWithout)[Property] != (*OtherWithout)[Property] &&
               (*One)[Property] == After[Property] &&
               (*Other)[Property] == After[Property];
   }
