@@ -20,6 +20,9 @@ using tp::CheckKind;
 using tp::CheckOperation;
 using tp::CheckType;
 
+static constexpr const char ChipFunction[] = "tp_fp_check_failed";
+static constexpr const char HostFunction[] = "__tp_fp_check_failed";
+
 CheckEmitter::CheckEmitter(Module &M)
     : M(M), IsChip(M.getTargetTriple().getArchName() ==
                    Triple(TPTriple).getArchName()) {}
@@ -62,7 +65,7 @@ void CheckEmitter::reportOnChip(IRBuilderBase &Builder, uint32_t Code,
   append_range(Arguments, HighWords);
   SmallVector<Type *, 7> Types(Arguments.size(), Word);
   FunctionCallee Callee = M.getOrInsertFunction(
-      "tp_fp_check_failed",
+      ChipFunction,
       FunctionType::get(Builder.getVoidTy(), Types, /*isVarArg=*/false));
   callFailure(Builder, Callee, Arguments);
 }
@@ -91,7 +94,7 @@ void CheckEmitter::reportOnHost(IRBuilderBase &Builder, uint32_t Code,
   SmallVector<Type *, 5> Types(
       map_range(Arguments, [](Value *V) { return V->getType(); }));
   FunctionCallee Callee = M.getOrInsertFunction(
-      "__tp_fp_check_failed",
+      HostFunction,
       FunctionType::get(Builder.getVoidTy(), Types, /*isVarArg=*/false));
   callFailure(Builder, Callee, Arguments);
 }
@@ -119,4 +122,16 @@ void CheckEmitter::failIf(IRBuilderBase &Builder, Value *Failed, CheckKind Kind,
     reportOnHost(Cold, Failure.code(), Values);
   Builder.SetInsertPoint(Next);
   Builder.SetCurrentDebugLocation(Place);
+}
+
+std::optional<CheckFailure> llvm::findReport(const BasicBlock &Block) {
+  if (!isa<UnreachableInst>(Block.getTerminator()))
+    return std::nullopt;
+  auto *Call = dyn_cast_or_null<CallInst>(Block.getTerminator()->getPrevNode());
+  const Function *Callee = Call ? Call->getCalledFunction() : nullptr;
+  if (!Callee ||
+      (Callee->getName() != ChipFunction && Callee->getName() != HostFunction))
+    return std::nullopt;
+  return CheckFailure::fromCode(
+      cast<ConstantInt>(Call->getArgOperand(0))->getZExtValue());
 }

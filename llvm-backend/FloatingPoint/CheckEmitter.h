@@ -9,6 +9,7 @@
 
 #include "llvm-backend/FloatingPoint/CheckFailure.h"
 #include "llvm/IR/IRBuilder.h"
+#include <optional>
 
 namespace llvm {
 
@@ -40,6 +41,9 @@ private:
   Module &M;
   bool IsChip;
 };
+
+/// The check whose failure \p Block reports, if it is such a block.
+std::optional<tp::CheckFailure> findReport(const BasicBlock &Block);
 
 } // namespace llvm
 

@@ -6,6 +6,7 @@
 
 #include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
 #include "llvm-backend/FloatingPoint/Canonicalizer.h"
+#include "llvm-backend/FloatingPoint/CheckMerging.h"
 #include "llvm-backend/FloatingPoint/CheckPass.h"
 #include "llvm-backend/FloatingPoint/Scope.h"
 #include "llvm/Passes/PassBuilder.h"
@@ -33,6 +34,14 @@ void llvm::registerFloatingPointPasses(PassBuilder &PB) {
   };
   PB.registerPipelineStartEPCallback(AddPasses);
   PB.registerFullLinkTimeOptimizationEarlyEPCallback(AddPasses);
+  auto AddLastPasses = [](ModulePassManager &PM, OptimizationLevel Level,
+                          auto...) {
+    if (Level != OptimizationLevel::O0)
+      PM.addPass(
+          createModuleToFunctionPassAdaptor(FloatingPointCheckMergingPass()));
+  };
+  PB.registerOptimizerLastEPCallback(AddLastPasses);
+  PB.registerFullLinkTimeOptimizationLastEPCallback(AddLastPasses);
   PB.registerPipelineParsingCallback(
       [](StringRef Name, ModulePassManager &PM,
          ArrayRef<PassBuilder::PipelineElement>) {

@@ -13,7 +13,7 @@ class PassBuilder;
 
 /// Puts the passes of FloatingPointPasses.def at the start of every pipeline,
 /// those of -O0 and of link time among them, and makes their names known to
-/// `-passes=`.
+/// `-passes=`. At the end of pipelines that optimize, checks are merged.
 void registerFloatingPointPasses(PassBuilder &PB);
 
 } // namespace llvm

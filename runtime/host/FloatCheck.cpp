@@ -15,6 +15,7 @@
 /// and the place in the source. Says so on standard error and ends the process
 /// with status 1. A program may have a function of its own instead; it must not
 /// return.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" [[noreturn, gnu::weak]] void
 __tp_fp_check_failed(uint32_t Code, uint64_t Result, uint64_t First,
                      uint64_t Second, const char *Place) {

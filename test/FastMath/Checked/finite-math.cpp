@@ -35,6 +35,10 @@ NOINLINE float square(float A) { return A * A; }
 NOINLINE float root(float A) { return sqrtf(A); }
 NOINLINE float smaller(const float *P, float A) { return fminf(*P, A); }
 
+NOINLINE float several(float A, float B, float C) {
+  return A * A + sqrtf(B) + C * C;
+}
+
 int main(int, char **Arguments) {
   const char *Case = Arguments[1];
   static float Buffer[2];
@@ -83,6 +87,20 @@ int main(int, char **Arguments) {
   // CHECK: nan-test: 1
   // CHECK-NEXT: NaN used under finite math: nan (0x7fc00000) != nan (0x7fc00000)
   CASE("nan-test", memcpy(Buffer, &NaN, 4); Sink = Buffer[0] != Buffer[0])
+  // Of several that fail the first is reported, whichever checks share a branch.
+  // CHECK: first: 1
+  // CHECK-NEXT: infinity produced under finite math: 1.7014118e+38 (0x7f000000) * 1.7014118e+38 (0x7f000000) = inf (0x7f800000)
+  // CHECK-NEXT: in several(float, float, float) at {{.*}}finite-math.cpp:[[#SEVERAL:]]:
+  CASE("first", Sink = several(Big, -One, Big))
+  // CHECK: second: 1
+  // CHECK-NEXT: NaN produced under finite math: square root of -1 (0xbf800000) = {{-?}}nan
+  // CHECK-NEXT: in several(float, float, float) at {{.*}}finite-math.cpp:[[#SEVERAL]]:
+  CASE("second", Sink = several(One, -One, Big))
+  // CHECK: third: 1
+  // CHECK-NEXT: infinity produced under finite math: -1.7014118e+38 (0xff000000) * -1.7014118e+38 (0xff000000) = inf (0x7f800000)
+  CASE("third", Sink = several(One, One, -Big))
+  // CHECK: none: 0
+  CASE("none", Sink = several(One, One, One))
   // CHECK: builtin: 1
   // CHECK-NEXT: infinity produced under finite math: 1 / square root of 0 (0x00000000) = inf (0x7f800000)
   CASE("builtin", Sink = __builtin_tp_rsqrt(floatOf(0)))

@@ -143,6 +143,39 @@ define double @left_alone(double nofpclass(nan) %x) "tp-fp-unchecked" {
   ret double %sum
 }
 
+; Checks that follow each other share a branch when the program is optimized,
+; but for what follows a conversion: it may be an address.
+; O3-LABEL: define {{.*}}@one_branch(
+; O3-NOT: br
+; O3: or i32
+; O3: br i1 %{{.*}}, label %[[SEARCH:.*]], label %[[REST:.*]], !prof
+; O3: {{^}}[[REST]]:
+; O3: load i32
+; O3: ret
+; O3: {{^}}[[SEARCH]]:
+; O3: br i1 %{{.*}}, label %{{.*}}, label %
+; O3: br label
+define i32 @one_branch(float %a, float %b, ptr %p) {
+  %less = fcmp olt float %a, 0.0
+  %i = load i32, ptr %p
+  %more = fcmp ogt float %b, 0.0
+  %1 = select i1 %less, i32 %i, i32 1
+  %2 = select i1 %more, i32 %1, i32 2
+  ret i32 %2
+}
+; O3-LABEL: define {{.*}}@two_branches(
+; O3: br i1
+; O3: getelementptr
+; O3: load float
+; O3: br i1
+define i1 @two_branches(float %a, ptr %p) {
+  %i = fptosi float %a to i32
+  %q = getelementptr float, ptr %p, i32 %i
+  %b = load float, ptr %q
+  %less = fcmp olt float %b, 0.0
+  ret i1 %less
+}
+
 ; CHECK: attributes #[[CHECKED]] = {
 ; CHECK-NOT: no-nans
 ; CHECK-SAME: "tp-fp-checked"
