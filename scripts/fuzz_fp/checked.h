@@ -85,6 +85,9 @@ public:
   CHECKED_UNARY(sqrt)
   CHECKED_UNARY(fabs)
   CHECKED_UNARY(floor)
+  CHECKED_UNARY(sin)
+  CHECKED_UNARY(exp)
+  CHECKED_UNARY(log)
 #undef CHECKED_UNARY
 
   friend Checked root(Checked A) { return sqrt(A); }

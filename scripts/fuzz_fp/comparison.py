@@ -79,6 +79,13 @@ class Outcome:
     excepted: int = 0
 
 
+def scopes(function, configuration):
+    """What an evaluation is compared within: its target, and all targets."""
+    if function.calls_library():
+        return (configuration.target,)
+    return (configuration.target, "")
+
+
 def compare(function, results, ranges):
     """The outcome of a function, with the first mismatch of each flag set and
     target or pair of targets; results is by configuration."""
@@ -96,7 +103,7 @@ def compare(function, results, ranges):
             contracts = configuration.contracts(function)
             for context, value in zip(CONTEXTS, bits):
                 here = Evaluation(configuration, context, number, value)
-                for scope in (configuration.target, ""):
+                for scope in scopes(function, configuration):
                     key = (configuration.flags, contracts, scope)
                     reference = references.setdefault(key, here)
                     if reference.bits == value or key in found:

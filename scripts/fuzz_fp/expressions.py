@@ -90,6 +90,12 @@ OPERATIONS = (
     (1, "(Real)((double){0} * {1})"),
     (1, "(Real)((float){0} / (float){1})"),
     (1, "((Real)(n * 3) * {0})"),
+    # Of the library, which is another one natively.
+    (1, "sin@({0})"),
+    (1, "exp@({0})"),
+    (1, "log@(fabs@({0}))"),
+    (1, "pow@(fabs@({0}), {1})"),
+    (1, "pow@({0}, 2.2@)"),
     # Inline functions.
     (2, "dot(s, Vector<Real>{{{0}, {1}, {2}}})"),
     (2, "length(Vector<Real>{{{0}, {1}, {2}}})"),
@@ -99,6 +105,7 @@ OPERATIONS = (
     (1, "(({0} * 0.3@ + 1.7@) * {0} + 0.25@)"),
     (1, "((({0} * {1} + {2}) * {1} + {3}) * {1} + {0})"),
 )
+# Powers that are multiplications and square roots.
 POWERS = (
     "2.0@", "3.0@", "4.0@", "5.0@", "0.5@", "1.5@", "-1.0@", "-2.0@", "0.25@",
     "-0.5@", "2.5@", "1.0@",

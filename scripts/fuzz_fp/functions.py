@@ -88,6 +88,20 @@ class Function:
         lines = [statement.text() for statement in self.statements]
         return "\n".join("  " + line for line in lines).replace("@", suffix)
 
+    def calls_library(self):
+        """Whether its results are those of the target's own library."""
+        return re.search(
+            r"\b(sin|exp|log|pow@\(fabs)|2\.2@", "".join(self.templates())
+        )
+
+    def templates(self):
+        """Of all its expressions."""
+        pending = [e for s in self.statements for e in s.expressions]
+        while pending:
+            expression = pending.pop()
+            yield expression.template
+            pending.extend(expression.operands)
+
     def asks_for_contraction(self):
         return any(
             f"contract({word})" in self.statements[0].template

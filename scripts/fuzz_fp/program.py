@@ -114,7 +114,7 @@ static void run{number}() {{
         {memory(varying, 'in')}
         [[clang::always_inline]] r = e{number}({arguments}, m.Values, m.Values + 1, n);
         values[i] = r;
-        related += r / in.b;
+        related = r / in.b;
       }}
       use(related);
       line.values(values, count, direct);
