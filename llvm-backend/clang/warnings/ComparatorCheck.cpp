@@ -73,13 +73,19 @@ void ComparatorCheck::report(const MixedRounding &Found, StringRef User,
       "an operand may be fused into it unrounded",
       "its operands may be regrouped",
       "a quotient in it may become a product with the reciprocal"};
+  // What the canonicalizer regroups, it regroups alike everywhere.
+  bool IsConsistent =
+      Rules.IsCanonical && Found.Why != MixedRounding::Cause::Contraction;
+  StringRef Consequence = IsConsistent
+                              ? "elements that are nearly equal may change "
+                                "places"
+                              : "an element may come before itself";
   const BinaryOperator &Operator = *Found.Operator;
   if (!Reporter.warn(
           FloatingPointWarning::Comparator, Operator.getOperatorLoc(),
           ("'" + User +
            "' orders by the sign of this rounded result of two elements: " +
-           Causes[static_cast<size_t>(Found.Why)] +
-           ", so that an element may come before itself")
+           Causes[static_cast<size_t>(Found.Why)] + ", so that " + Consequence)
               .str(),
           {Operator.getLHS()->getSourceRange(),
            Operator.getRHS()->getSourceRange()}))

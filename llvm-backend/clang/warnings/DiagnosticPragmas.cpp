@@ -69,6 +69,13 @@ DiagnosticPragmas::optionsAt(SourceLocation Location) const {
   return After == Transitions.begin() ? CommandLine : std::prev(After)->Options;
 }
 
+bool DiagnosticPragmas::isAnywhereEnabled(FloatingPointWarning Warning) const {
+  return CommandLine.level(Warning) != WarningLevel::Ignored ||
+         any_of(Transitions, [&](const Transition &Change) {
+           return Change.Options.level(Warning) != WarningLevel::Ignored;
+         });
+}
+
 //===----------------------------------------------------------------------===//
 // DiagnosticPragmaReader
 //===----------------------------------------------------------------------===//

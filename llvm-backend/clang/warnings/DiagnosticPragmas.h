@@ -39,6 +39,9 @@ public:
 
   const WarningOptions &optionsAt(clang::SourceLocation Location) const;
 
+  /// Whether \p Warning is on at any place.
+  bool isAnywhereEnabled(FloatingPointWarning Warning) const;
+
 private:
   struct Transition {
     clang::SourceLocation Location;

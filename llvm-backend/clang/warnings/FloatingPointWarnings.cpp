@@ -133,7 +133,14 @@ public:
   }
 
   void HandleTranslationUnit(ASTContext &Context) override {
-    if (Diags.hasUncompilableErrorOccurred())
+    if (Diags.hasUncompilableErrorOccurred() ||
+        none_of(
+            ArrayRef<FloatingPointWarning>{FloatingPointWarning::NonFinite,
+                                           FloatingPointWarning::Conversion,
+                                           FloatingPointWarning::Comparator},
+            [&](FloatingPointWarning Warning) {
+              return Pragmas.isAnywhereEnabled(Warning);
+            }))
       return;
     WarningReporter Reporter(Diags, Pragmas);
     Visitor(Context, Rules, Reporter).TraverseAST(Context);

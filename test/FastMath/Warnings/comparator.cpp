@@ -1,9 +1,11 @@
 // Comparators that read the sign of a rounded result of both their arguments,
 // where it may be regrouped.
 
-// RUN: tpcc -ffast-math -fsyntax-only -Xclang -verify %s
+// RUN: tpcc -ffast-math -fsyntax-only -Xclang -verify=expected,canonical %s
+// RUN: tpcc -ffast-math -mllvm -tp-fp-canonicalize=0 -fsyntax-only \
+// RUN:   -Xclang -verify=expected,stock %s
 // RUN: clang++ -std=c++20 -fplugin=%tp_bin/../lib/TPFloatingPoint.so \
-// RUN:   -ffast-math -fsyntax-only -Xclang -verify %s
+// RUN:   -ffast-math -fsyntax-only -Xclang -verify=expected,stock %s
 
 // Without regrouping, and without hardware that fuses, each sign is right.
 // RUN: tpcc -fsyntax-only -Xclang -verify=silent %s
@@ -31,7 +33,7 @@ extern "C" void qsort(void *, decltype(sizeof 0), decltype(sizeof 0),
 //===----------------------------------------------------------------------===//
 
 bool angle(const Point &A, const Point &B) { // expected-note {{compare a key computed from each element alone, or write '#pragma clang fp contract(off) reassociate(off) reciprocal(off)' first in this function}}
-  return A.X * B.Y - A.Y * B.X > 0; // expected-warning {{'sort' orders by the sign of this rounded result of two elements: its operands may be regrouped, so that an element may come before itself [-Wtp-fp-comparator]}}
+  return A.X * B.Y - A.Y * B.X > 0; // stock-warning {{'sort' orders by the sign of this rounded result of two elements: its operands may be regrouped, so that an element may come before itself [-Wtp-fp-comparator]}} canonical-warning {{its operands may be regrouped, so that elements that are nearly equal may change places [-Wtp-fp-comparator]}}
 }
 static float cross(Point A, Point B) { // expected-note {{compare a key}}
   return A.X * B.Y - A.Y * B.X; // expected-warning {{'sort' orders by the sign of this rounded result}}
