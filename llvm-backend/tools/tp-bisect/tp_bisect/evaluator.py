@@ -54,6 +54,8 @@ class Evaluator:
         self._state = state
         self._progress = progress
         self._pool = ThreadPoolExecutor(max_workers=request.jobs)
+        self._background = ThreadPoolExecutor(max_workers=1)
+        self._futures = {}
         self._by_program = {}
         self._lock = threading.Lock()
         self.failed_builds = []
@@ -65,7 +67,13 @@ class Evaluator:
 
     def close(self):
         """Waits for nothing more."""
-        self._pool.shutdown(wait=True, cancel_futures=True)
+        for pool in (self._pool, self._background):
+            pool.shutdown(wait=True, cancel_futures=True)
+
+    def in_background(self, function, *arguments):
+        """Begins a part of the search whose result is wanted later; it shares
+        the builds that run at a time. Gives a future."""
+        return self._background.submit(function, *arguments)
 
     # The two ends of the search ------------------------------------------
 
@@ -154,7 +162,16 @@ class Evaluator:
 
     def judge_all(self, configurations):
         """The verdicts on several."""
-        return list(self._pool.map(self._judge, configurations))
+        futures = [self.begin(configuration) for configuration in configurations]
+        return [future.result() for future in futures]
+
+    def begin(self, configuration):
+        """Begins to judge it, unless that is done; gives a future."""
+        key = configuration.key()
+        with self._lock:
+            if key not in self._futures:
+                self._futures[key] = self._pool.submit(self._judge, configuration)
+            return self._futures[key]
 
     def are_bad(self, configurations):
         """For each whether it is bad; None if that cannot be said."""

@@ -2,6 +2,7 @@
 """Puts the parts together."""
 
 import shutil
+import signal
 import sys
 from pathlib import Path
 
@@ -20,8 +21,14 @@ from tp_bisect.state import State
 _FOUND, _ERROR, _NOTHING, _INTERRUPTED = 0, 1, 2, 130
 
 
+def _stop(*_):
+    raise KeyboardInterrupt
+
+
 def main(arguments, tool_folder):
     """Runs tp-bisect; gives its exit status."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, _stop)
     try:
         return _run(parse(arguments), tool_folder)
     except UserError as error:

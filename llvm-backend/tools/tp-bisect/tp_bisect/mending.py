@@ -26,9 +26,8 @@ class Mending:
     problem: str = ""
 
 
-def find_mending(evaluator, progress, bad_flags, units, functions, work_folder):
+def find_mending(evaluator, bad_flags, units, functions, work_folder):
     """The first of the pragmas, then of the flags, that is good."""
-    progress.phase("trying what mends it")
     problem = "no function is known"
     with tempfile.TemporaryDirectory(dir=work_folder) as folder:
         for pragmas, flags in _pragma_candidates(units, bad_flags):

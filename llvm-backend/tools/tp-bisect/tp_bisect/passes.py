@@ -52,13 +52,14 @@ def find_pass(evaluator, progress, configuration, functions):
         flags=(*with_line_tables(configuration.flags), "-fno-discard-value-names"),
     )
     progress.phase("counting the optimizer's steps")
+    quiet = base.with_options(_QUIET)
+    without = evaluator.begin(quiet.with_last_pass(0))
     log = evaluator.build_log(base.with_last_pass(-1))
     steps = [int(n) for n, _ in _STEP.findall(log or "")]
     if not steps:
         return PassStep(problem="the build prints no optimizer steps")
     total = max(steps)
-    quiet = base.with_options(_QUIET)
-    without = evaluator.judge(quiet.with_last_pass(0))
+    without = without.result()
     if without.is_bad:
         return _find_required(evaluator, progress, base, total, functions)
     if without.is_bad is None:

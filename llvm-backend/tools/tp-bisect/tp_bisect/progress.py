@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """The progress line on standard error."""
 
+import resource
 import sys
 import threading
 import time
 
 _WIDTH = 78
+
+
+def _processor_seconds():
+    """What builds and tests that have ended took."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 class Progress:
@@ -55,14 +62,15 @@ class Progress:
         reused = f", {self.reused} known from before" if self.reused else ""
         return (
             f"{self.builds} builds, {self.tests} tests{reused}, "
-            f"{self.seconds():.1f} s"
+            f"{self.seconds():.1f} s, {_processor_seconds():.1f} s of processors"
         )
 
     def _show(self):
         if self._quiet or not self._is_terminal:
             return
         detail = f": {self._detail}" if self._detail else ""
-        line = f"tp-bisect: {self._phase}{detail} ({self.summary()})"
+        done = f"{self.builds} builds, {self.seconds():.0f} s"
+        line = f"tp-bisect: {self._phase}{detail} ({done})"
         self._stream.write("\r" + line[:_WIDTH].ljust(_WIDTH))
         self._stream.flush()
 

@@ -65,23 +65,27 @@ class Search:
         baseline = self._evaluator.check_baseline(good, bad)
         found = Findings(bad_reason=baseline.bad_reason, considered=len(space.units))
         guilty = self._find_flags(space, found)
+        rest = [unit for unit in space.units if unit not in guilty]
+        without = self._evaluator.begin(Configuration(tuple(space.render(rest))))
         configuration = Configuration(tuple(space.render(guilty)))
         if any(unit.acts_on_instructions() for unit in guilty):
             self._find_places(configuration, found)
-        if all(unit.macro() for unit in guilty):
-            found.step = PassStep(problem="macros are gone before any pass")
-        else:
-            self._find_step(configuration, found)
-        found.failed_builds = list(self._evaluator.failed_builds)
-        found.mending = find_mending(
+        found.rest_is_good = without.result().is_bad is False
+        mending = self._evaluator.in_background(
+            find_mending,
             self._evaluator,
-            self._progress,
             # Where more is guilty, mending this does not make all good.
             tuple(request.bad if found.rest_is_good else found.user_flags),
             guilty,
             found.places.functions,
             request.work_folder,
         )
+        if all(unit.macro() for unit in guilty):
+            found.step = PassStep(problem="macros are gone before any pass")
+        else:
+            self._find_step(configuration, found)
+        found.mending = mending.result()
+        found.failed_builds = list(self._evaluator.failed_builds)
         return found
 
     # Flags ------------------------------------------------------------------
@@ -105,9 +109,6 @@ class Search:
         found.flags = [self._describe_unit(unit) for unit in guilty]
         found.user_flags = space.write_for_user(guilty)
         found.user_flags_bad = self._are_user_flags_bad(space, guilty, found)
-        rest = [u for u in space.units if u not in guilty]
-        without = Configuration(tuple(space.render(rest)))
-        found.rest_is_good = self._evaluator.judge(without).is_bad is False
         return guilty
 
     def _without_leaders(self, space, guilty):
