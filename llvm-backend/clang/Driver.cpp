@@ -256,11 +256,11 @@ static int compileAndLink(TranslatedCommandLine &Translated,
   bool AnyInput = UserArguments.hasArg(OPT_INPUT);
   if (DryRun || Verbose)
     printVersion(errs(), ToolPath);
-  if (Verbose && !AnyInput)
-    return 0;
   if (Translated.PrintsFloatingPoint && !AnyInput)
     append_range(Translated.Words,
                  ArrayRef<const char *>{"-fsyntax-only", "-x", "c++", "-"});
+  else if (Verbose && !AnyInput)
+    return 0;
 
   clang::driver::Driver TheDriver(ToolPath, llvm::TPTriple, Diags,
                                   "tpcc, compiler for the thread processor");
