@@ -74,7 +74,8 @@ def _run(request, tool_folder):
         runner.stop()
         evaluator.close()
         progress.clear()
-        shutil.rmtree(request.work_folder / "builds", ignore_errors=True)
+        for folder in ("builds", "mended"):
+            shutil.rmtree(request.work_folder / folder, ignore_errors=True)
     _write(found, request, progress)
     return _FOUND
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Finds what mends the program while the other flags stay, and tries it."""
 
+import hashlib
 import re
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,13 +29,14 @@ class Mending:
 def find_mending(evaluator, bad_flags, units, functions, work_folder):
     """The first of the pragmas, then of the flags, that is good."""
     problem = "no function is known"
-    with tempfile.TemporaryDirectory(dir=work_folder) as folder:
-        for pragmas, flags in _pragma_candidates(units, bad_flags):
-            problem = _try_pragmas(
-                evaluator, bad_flags + flags, pragmas, functions, Path(folder)
-            )
-            if problem is None:
-                return Mending(pragmas, _places(functions), flags, verified=True)
+    folder = work_folder.resolve() / "mended"
+    folder.mkdir(exist_ok=True)
+    for pragmas, flags in _pragma_candidates(units):
+        problem = _try_pragmas(
+            evaluator, bad_flags + flags, pragmas, functions, folder
+        )
+        if problem is None:
+            return Mending(pragmas, _places(functions), flags, verified=True)
     flags = tuple(word for unit in units for word in unit.off_words())
     if flags and _judge(evaluator, bad_flags + flags).is_bad is False:
         return Mending(flags=flags, verified=True, problem=problem)
@@ -48,7 +49,7 @@ def _judge(evaluator, flags, replacements=()):
     )
 
 
-def _pragma_candidates(units, bad_flags):
+def _pragma_candidates(units):
     """Pragmas, with the flags that they need beside the bad ones."""
     own = tuple(dict.fromkeys(u.pragma() for u in units if u.pragma()))
     for pragma in own:
@@ -82,7 +83,9 @@ def _try_pragmas(evaluator, flags, pragmas, functions, folder):
         mended = insert_pragmas(text, lines, pragmas)
         if mended is None:
             return f"no function body is found at {path}:{lines[0]}"
-        copy = folder / f"{len(replacements)}-{abs(hash(pragmas))}-{Path(path).name}"
+        # By its content: a verdict on it holds in a later search, too.
+        name = hashlib.sha256(mended.encode()).hexdigest()[:16]
+        copy = folder / f"{name}-{Path(path).name}"
         copy.write_text(mended)
         replacements.append((path, str(copy)))
     verdict = _judge(evaluator, flags, replacements)

@@ -40,6 +40,10 @@ class Findings:
     failed_builds: list = field(default_factory=list)
 
 
+def _configuration(space, units):
+    return Configuration(tuple(space.render(units)))
+
+
 class Search:
     """Carries the search out, part by part."""
 
@@ -55,38 +59,43 @@ class Search:
         """From the check of the ends to the mending."""
         request = self._request
         self._progress.phase("building with the good and the bad flags")
-        good, bad = Configuration(tuple(request.good)), Configuration(tuple(request.bad))
         space = FlagSpace(
             request.good,
             request.bad,
             self._compiler.settings(request.good),
             self._compiler.settings(request.bad),
         )
-        baseline = self._evaluator.check_baseline(good, bad)
+        baseline = self._evaluator.check_baseline(
+            Configuration(tuple(request.good)), Configuration(tuple(request.bad))
+        )
         found = Findings(bad_reason=baseline.bad_reason, considered=len(space.units))
         guilty = self._find_flags(space, found)
+        self._find_culprit(space, guilty, found)
+        found.failed_builds = list(self._evaluator.failed_builds)
+        return found
+
+    def _find_culprit(self, space, guilty, found):
+        """What the guilty flags break, and what mends it."""
         rest = [unit for unit in space.units if unit not in guilty]
-        without = self._evaluator.begin(Configuration(tuple(space.render(rest))))
-        configuration = Configuration(tuple(space.render(guilty)))
+        without = self._evaluator.begin(_configuration(space, rest))
         if any(unit.acts_on_instructions() for unit in guilty):
-            self._find_places(configuration, found)
+            self._find_places(_configuration(space, guilty), found)
         found.rest_is_good = without.result().is_bad is False
+        # Where more is guilty, mending this does not make all good.
+        flags = self._request.bad if found.rest_is_good else found.user_flags
         mending = self._evaluator.in_background(
             find_mending,
             self._evaluator,
-            # Where more is guilty, mending this does not make all good.
-            tuple(request.bad if found.rest_is_good else found.user_flags),
+            tuple(flags),
             guilty,
             found.places.functions,
-            request.work_folder,
+            self._request.work_folder,
         )
         if all(unit.macro() for unit in guilty):
             found.step = PassStep(problem="macros are gone before any pass")
         else:
-            self._find_step(configuration, found)
+            self._find_step(_configuration(space, guilty), found)
         found.mending = mending.result()
-        found.failed_builds = list(self._evaluator.failed_builds)
-        return found
 
     # Flags ------------------------------------------------------------------
 
@@ -102,7 +111,7 @@ class Search:
             space.units,
             self._evaluator.jobs,
             lambda candidates: self._evaluator.are_bad(
-                [Configuration(tuple(space.render(c))) for c in candidates]
+                [_configuration(space, c) for c in candidates]
             ),
         )
         guilty = self._without_leaders(space, guilty)
@@ -117,7 +126,7 @@ class Search:
             return guilty
         company = [[u] for u in space.units if guilty[0].brings(u)]
         verdicts = self._evaluator.are_bad(
-            [Configuration(tuple(space.render(c))) for c in company]
+            [_configuration(space, c) for c in company]
         )
         return next((c for c, bad in zip(company, verdicts) if bad), guilty)
 
