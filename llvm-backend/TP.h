@@ -26,6 +26,9 @@ ModulePass *createTPBuiltinAttributesPass();
 /// Creates the pass that makes values loaded from global memory dear to spill.
 FunctionPass *createTPGlobalLoadsPass();
 
+/// Creates the pass that makes constrained arithmetic of half floats ordinary.
+FunctionPass *createTPStrictHalfFloatsPass();
+
 /// Adds the assembly printer to LLVM's target registry.
 void registerTPAsmPrinter();
 
@@ -33,6 +36,7 @@ void initializeTPAsmPrinterPass(PassRegistry &);
 void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
 void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);
 void initializeTPGlobalLoadsPass(PassRegistry &);
+void initializeTPStrictHalfFloatsPass(PassRegistry &);
 
 } // namespace llvm
 

@@ -35,6 +35,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
     initializeTPBuiltinAttributesLegacyPass(Registry);
     initializeTPDAGToDAGISelLegacyPass(Registry);
     initializeTPGlobalLoadsPass(Registry);
+    initializeTPStrictHalfFloatsPass(Registry);
     return true;
   }();
   (void)Initialized;
@@ -125,6 +126,7 @@ public:
 
   void addIRPasses() override {
     addPass(createTPBuiltinAttributesPass());
+    addPass(createTPStrictHalfFloatsPass());
     addPass(createAtomicExpandLegacyPass());
     TargetPassConfig::addIRPasses();
   }
