@@ -40,8 +40,8 @@ search() {
     failures=$((failures + 1))
     cat "$report"
   fi
-  printf '%-7s %s  %-24s line %s  %3d s  %s\n' "$platform" "$hazard" "$flag" \
-    "$line" "$seconds" "$verdict"
+  printf '%-6s %s  %-19s line %s  %s, %d s %s\n' "$platform" "$hazard" "$flag" \
+    "$line" "$verdict" "$seconds" "$(tail -n 1 "$report")"
 }
 
 for hazard in ${*:-H1 H2 H3 H4}; do

@@ -5,26 +5,32 @@
 or None if that cannot be said. It may test them in parallel.
 """
 
+from bisect import bisect_left
+from itertools import accumulate
 
-def first_bad_step(low, high, ways, judge_all):
+
+def first_bad_step(low, high, ways, judge_all, weigh=lambda step: 1):
     """The N in (low, high] with N-1 good and N bad, if low is good and high is
-    bad; `ways` steps are asked for at a time.
+    bad; `ways` steps are asked for at a time. `weigh` says how likely a step is
+    to be N: the likelier, the sooner it is found.
 
     Returns N and the greatest step below it that is known to be good: not N-1
     if the steps between cannot be judged.
     """
+    reached = list(accumulate((weigh(s) for s in range(low + 1, high + 1)), initial=0))
+    begin = low
     unknown = set()
     while True:
         between = [s for s in range(low + 1, high) if s not in unknown]
         if not between:
             return high, low
-        steps = sorted(
-            {
-                between[len(between) * i // (ways + 1)]
-                for i in range(1, ways + 1)
-            }
-        )
-        for step, is_bad in zip(steps, judge_all(steps)):
+        least, most = reached[low - begin], reached[high - begin]
+        steps = set()
+        for part in range(1, ways + 1):
+            wanted = least + (most - least) * part / (ways + 1)
+            place = begin + bisect_left(reached, wanted)
+            steps.add(between[min(bisect_left(between, place), len(between) - 1)])
+        for step, is_bad in zip(sorted(steps), judge_all(sorted(steps))):
             if is_bad is None:
                 unknown.add(step)
             elif is_bad:

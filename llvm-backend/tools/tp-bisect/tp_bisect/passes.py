@@ -10,6 +10,11 @@ from tp_bisect.places import with_line_tables
 
 _STEP = re.compile(r"^BISECT: (?:NOT )?running pass \((\d+)\) (.*)$", re.M)
 _NUMBERED = re.compile(r"^ *Running pass (\d+) (\S+) on (.*)$")
+_REWRITING = (
+    "aggressive-instcombine early-cse gvn instcombine instsimplify ipsccp licm "
+    "loop-vectorize machine-combiner nary-reassociate reassociate sccp "
+    "slp-vectorizer vector-combine"
+).split()
 _CANONICALIZER = "FloatingPointCanonicalizerPass"
 _QUIET = "-opt-bisect-verbose=0"
 _CONTEXT = 2
@@ -45,8 +50,9 @@ class PassStep:
     configuration: object = None
 
 
-def find_pass(evaluator, progress, configuration, functions):
+def find_pass(evaluator, progress, configuration, places):
     """Searches the step that makes a bad configuration bad."""
+    functions = places.functions
     base = replace(
         configuration,
         flags=(*with_line_tables(configuration.flags), "-fno-discard-value-names"),
@@ -55,10 +61,10 @@ def find_pass(evaluator, progress, configuration, functions):
     quiet = base.with_options(_QUIET)
     without = evaluator.begin(quiet.with_last_pass(0))
     log = evaluator.build_log(base.with_last_pass(-1))
-    steps = [int(n) for n, _ in _STEP.findall(log or "")]
+    steps = [(int(n), what) for n, what in _STEP.findall(log or "")]
     if not steps:
         return PassStep(problem="the build prints no optimizer steps")
-    total = max(steps)
+    total, _ = max(steps)
     without = without.result()
     if without.is_bad:
         return _find_required(evaluator, progress, base, total, functions)
@@ -70,7 +76,9 @@ def find_pass(evaluator, progress, configuration, functions):
         progress.detail(f"{numbers[0]}..{numbers[-1]}")
         return evaluator.are_bad([quiet.with_last_pass(n) for n in numbers])
 
-    number, last_good = first_bad_step(0, total, evaluator.jobs, judge_all)
+    number, last_good = first_bad_step(
+        0, total, evaluator.jobs, judge_all, _weights(steps, places.known)
+    )
     if number == total and not judge_all([total])[0]:
         return PassStep(
             problem="with line tables and value names the program is good",
@@ -80,6 +88,18 @@ def find_pass(evaluator, progress, configuration, functions):
     found.configuration = base.with_last_pass(number)
     _describe(evaluator, progress, found, functions)
     return found
+
+
+def _weights(steps, known_functions):
+    """How likely each step is the guilty one: passes that rewrite arithmetic,
+    and functions in which fast math matters, are likelier."""
+    weights = {}
+    for number, description in steps:
+        weight = 10 if description.split(" ", 1)[0] in _REWRITING else 1
+        if description.rsplit(" ", 1)[-1].strip("()") in known_functions:
+            weight *= 10
+        weights[number] = max(weight, weights.get(number, 1))
+    return lambda step: weights.get(step, 1)
 
 
 def _describe(evaluator, progress, step, functions):

@@ -73,11 +73,12 @@ def with_line_tables(flags):
 
 @dataclass
 class PlaceSearch:
-    """What the search by scope has found. `problem` says why it found nothing;
+    """What the search by scope has found, among the functions known by their
+    mangled names. `problem` says why it found nothing;
     `is_front_end` that the program is bad even with all instructions strict."""
 
     functions: tuple = ()
-    considered: int = 0
+    known: frozenset = frozenset()
     problem: str = ""
     is_front_end: bool = False
 
@@ -150,7 +151,7 @@ def _narrow(evaluator, progress, configuration, functions):
         replace(f, items=tuple(item for g, item in places if g is f))
         for f in dict.fromkeys(f for f, _ in places)
     )
-    return PlaceSearch(guilty, len({f.entry() for f in functions}))
+    return PlaceSearch(guilty, frozenset(f.function for f in functions))
 
 
 def _entries(places):

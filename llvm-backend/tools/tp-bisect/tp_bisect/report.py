@@ -122,7 +122,7 @@ def _places_section(found, request):
     lines = []
     for function in places.functions:
         lines.append(
-            f"guilty function: {function.name}  (1 of {places.considered})"
+            f"guilty function: {function.name}  (1 of {len(places.known)})"
         )
         lines += [_INDENT + line for line in _item_lines(function)]
     return lines

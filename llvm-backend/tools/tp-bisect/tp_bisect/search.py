@@ -186,7 +186,7 @@ class Search:
             configuration = configuration.with_scope(scope)
         functions = found.places.functions
         found.step = find_pass(
-            self._evaluator, self._progress, configuration, functions
+            self._evaluator, self._progress, configuration, found.places
         )
         step = found.step
         if step.configuration is None:

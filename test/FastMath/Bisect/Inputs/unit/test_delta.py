@@ -59,6 +59,22 @@ class FirstBadStep(unittest.TestCase):
                 )
                 self.assertEqual(found, (bad, bad - 1))
 
+    def test_likely_step_is_found_soon(self):
+        likely = range(500, 30000, 300)
+        for bad in (*likely, 1, 499, 501, 30000):
+            tests = []
+
+            def judge_all(steps):
+                tests.extend(steps)
+                return [s >= bad for s in steps]
+
+            found = first_bad_step(
+                0, 30000, 2, judge_all, lambda s: 100000 if s in likely else 1
+            )
+            self.assertEqual(found, (bad, bad - 1))
+            if bad in likely:
+                self.assertLess(len(tests), 14)
+
     def test_steps_that_cannot_be_judged(self):
         def judge_all(steps):
             return [None if 10 <= s <= 14 else s >= 12 for s in steps]
