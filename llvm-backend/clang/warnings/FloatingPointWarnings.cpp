@@ -222,7 +222,16 @@ bool Action::ParseArgs(const CompilerInstance &Instance,
   return false;
 }
 
-static FrontendPluginRegistry::Add<Action>
-    Registration(WarningPlugInName, "warns of floating-point hazards");
+// Unless this process has it already: tpcc may load the shared object too.
+static bool registerOnce() {
+  for (const auto &PlugIn : FrontendPluginRegistry::entries())
+    if (PlugIn.getName() == WarningPlugInName)
+      return false;
+  static FrontendPluginRegistry::Add<Action> Registration(
+      WarningPlugInName, "warns of floating-point hazards");
+  return true;
+}
+
+[[maybe_unused]] static const bool IsRegisteredHere = registerOnce();
 
 } // namespace tp

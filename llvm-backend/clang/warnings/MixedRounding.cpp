@@ -117,6 +117,7 @@ private:
   static constexpr unsigned MaxCalls = 256;
 
   Value evaluate(const Expr *E);
+  Value valueOf(const VarDecl *Variable) const;
   Value evaluateOperator(const BinaryOperator &Operator);
   Value evaluateCall(const CallExpr &Call);
   Value enterCall(const CallExpr &Call);
@@ -313,6 +314,15 @@ Value Evaluator::evaluateOperands(const Stmt &S) {
   return Joined;
 }
 
+// A lambda may read the variables of its callers.
+Value Evaluator::valueOf(const VarDecl *Variable) const {
+  for (const Evaluator *Frame = this; Frame; Frame = Frame->Caller)
+    if (auto Known = Frame->Variables.find(Variable);
+        Known != Frame->Variables.end())
+      return Known->second;
+  return Value();
+}
+
 Value Evaluator::evaluate(const Expr *E) {
   E = unwrapFloatingPoint(E);
   if (const auto *Operator = dyn_cast<BinaryOperator>(E))
@@ -322,9 +332,10 @@ Value Evaluator::evaluate(const Expr *E) {
   if (isa<CXXThisExpr>(E))
     return Object;
   if (const auto *Reference = dyn_cast<DeclRefExpr>(E)) {
-    const auto *Variable = dyn_cast<VarDecl>(Reference->getDecl());
-    auto Known = Variables.find(Variable);
-    return Known == Variables.end() ? Value() : Known->second;
+    // What a structured binding names.
+    if (const auto *Binding = dyn_cast<BindingDecl>(Reference->getDecl()))
+      return Binding->getBinding() ? evaluate(Binding->getBinding()) : Value();
+    return valueOf(dyn_cast<VarDecl>(Reference->getDecl()));
   }
   if (const auto *Unary = dyn_cast<UnaryOperator>(E))
     return evaluate(Unary->getSubExpr());

@@ -76,6 +76,16 @@ void hazards(Point *P, int N, const Point *Origin, int *Order) {
   sort(P, P + N, [](const Point &A, const Point &B) { // expected-note {{chosen here}} expected-note {{compare a key}}
     return (A.X - B.X) + (A.Y - B.Y) > 0; // expected-warning {{'sort' orders by the sign}}
   });
+  sort(P, P + N, [](Point A, Point B) { // expected-note {{chosen here}}
+    auto Determinant = [&] { // expected-note {{compare a key}}
+      return A.X * B.Y - A.Y * B.X; // expected-warning {{'sort' orders by the sign}}
+    };
+    return Determinant() > 0;
+  });
+  sort(P, P + N, [](Point A, Point B) { // expected-note {{chosen here}} expected-note {{compare a key}}
+    auto [X, Y, Z] = A;
+    return X * B.Y - Y * B.X > 0; // expected-warning {{'sort' orders by the sign}}
+  });
 }
 
 //===----------------------------------------------------------------------===//

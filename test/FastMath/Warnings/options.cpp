@@ -43,6 +43,9 @@
 // RUN: not %{stock} -fplugin-arg-tp-fp-Wtp-fp-conversions %s 2>&1 \
 // RUN:   | FileCheck --check-prefix=MISSPELT %s
 // MISSPELT: error: unknown warning option '-Wtp-fp-conversions'; did you mean '-Wtp-fp-conversion'?
+// tpcc has them once, even if it loads the plug-in.
+// RUN: %{run} -fplugin=%tp_bin/../lib/TPFloatingPoint.so %s 2>&1 \
+// RUN:   | FileCheck --check-prefixes=NONFINITE,INDEX,COUNT3 %s
 // Without -fplugin= there is nothing to see.
 // RUN: clang++ -fpass-plugin=%tp_bin/../lib/TPFloatingPoint.so \
 // RUN:   -Wno-nan-infinity-disabled -Wno-unknown-warning-option -ffast-math \
