@@ -47,7 +47,10 @@ void llvm::replaceExpression(Instruction &Old, Value &New) {
     if (!NewInstruction->hasName())
       NewInstruction->takeName(&Old);
   Old.replaceAllUsesWith(&New);
-  RecursivelyDeleteTriviallyDeadInstructions(&Old);
+  SmallVector<WeakTrackingVH, 4> Operands(Old.operands());
+  // Also if it is a call that might set errno.
+  Old.eraseFromParent();
+  RecursivelyDeleteTriviallyDeadInstructionsPermissive(Operands);
 }
 
 bool llvm::isPartOf(const Value &V, const Instruction &User) {

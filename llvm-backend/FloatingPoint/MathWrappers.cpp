@@ -37,7 +37,9 @@ namespace {
 /// are stored and loaded, and through conversions.
 class Forwarding {
 public:
-  explicit Forwarding(CallBase &Site) : Site(Site) {}
+  /// \param Flags those of the call; an invoke cannot carry any and hands over
+  /// all.
+  Forwarding(CallBase &Site, FastMathFlags Flags) : Site(Site), Flags(Flags) {}
 
   /// Whether the callee does nothing but compute one math function, or another
   /// such callee, of its converted arguments.
@@ -54,6 +56,7 @@ private:
   static constexpr unsigned MaxDepth = 4;
 
   CallBase &Site;
+  FastMathFlags Flags;
   DenseMap<const Value *, Value *> AtSite;
 };
 
@@ -155,7 +158,6 @@ Value *Forwarding::create() {
   for (auto [Parameter, Argument] : zip(Callee.args(), Site.args()))
     AtSite[&Parameter] = Argument;
   IRBuilder<> Builder(&Site);
-  FastMathFlags Flags = Site.getFastMathFlags();
   for (Instruction &I : Callee.front()) {
     if (auto *Return = dyn_cast<ReturnInst>(&I))
       return get(*Return->getReturnValue());
@@ -164,7 +166,7 @@ Value *Forwarding::create() {
     if (auto *Call = dyn_cast_or_null<CallInst>(Copy)) {
       Call->copyFastMathFlags(Call->getFastMathFlags() & Flags);
       if (isPossible(*Call)) {
-        AtSite[&I] = Forwarding(*Call).create();
+        AtSite[&I] = Forwarding(*Call, Call->getFastMathFlags()).create();
         Call->eraseFromParent();
       }
     }
@@ -177,9 +179,12 @@ void llvm::forwardMathWrappers(Function &F) {
     auto *Call = dyn_cast<CallBase>(&I);
     if (!Call || !Forwarding::isPossible(*Call))
       return;
+    FastMathFlags Flags = FastMathFlags::getFast();
     if (auto *Invoke = dyn_cast<InvokeInst>(Call))
       Call = changeToCall(Invoke);
-    Value *Result = Forwarding(*Call).create();
+    else
+      Flags = Call->getFastMathFlags();
+    Value *Result = Forwarding(*Call, Flags).create();
     Call->replaceAllUsesWith(Result);
     Call->eraseFromParent();
   });
