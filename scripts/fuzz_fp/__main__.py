@@ -51,6 +51,8 @@ def parse_arguments():
                         help="directory for failing programs")
     parser.add_argument("--reduce", type=int, default=5,
                         help="simplify so many failing functions (default 5)")
+    parser.add_argument("--attempts", type=int, default=60,
+                        help="to simplify one (default 60)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--tools", default="build/bin",
                         help="directory of tpcc and tpsim")
@@ -111,7 +113,7 @@ class Campaign:
         if is_known or self.options.canonicalize == "off":
             return
         if self.kept < self.options.reduce:
-            mismatch = reduce(self.tools, mismatch)
+            mismatch = reduce(self.tools, mismatch, self.options.attempts)
         self.kept += 1
         directory = os.path.join(
             self.options.keep,

@@ -93,7 +93,7 @@ def compare(function, results, ranges):
     found = set()
     for number in range(len(function.inputs)):
         references = {}
-        met = ranges[function.number, number]
+        met = ranges.get((function.number, number), 0)
         for configuration, result in results.items():
             if is_excepted(configuration.flags, met):
                 outcome.excepted += len(CONTEXTS)

@@ -50,7 +50,8 @@ LOOPS = (
     "Real % = q[6];",
     "Vector<Real> w% = {{0.0@, 0.0@, 0.0@}}; for (int i = 0; i < n; ++i) "
     "w% = w% + s * p[i] * Real({0}); Real % = length(w%);",
-    "Real % = 0.0@; for (int i = 0; i < n; ++i) % += mix<Real>(p[i], {0}, {1});",
+    "Real % = 0.0@; for (int i = 0; i < n; ++i) "
+    "% += mix<Real>(p[i], {0}, {1});",
     "Real % = 0.0@; for (int i = 0; i < n; ++i) % += (Real)i * {0} / {1};",
     # Stores that other pointers may see.
     "for (int i = 0; i < n; ++i) q[i] = p[i] * {0}; Real % = q[1];",
@@ -156,7 +157,8 @@ def random_function(seed, number):
             template = "q[%d] = {0};" % generator.randrange(4)
             operands = (maker.make(2),)
         elif kind < 0.55:
-            template = f"Real {name} = {{0}}; if ({{1}} < {{2}}) {name} = {{3}};"
+            template = "Real % = {0}; if ({1} < {2}) % = {3};"
+            template = template.replace("%", name)
             operands = tuple(maker.make(d) for d in (1, 1, 0, 2))
         else:
             template = f"Real {name} = {{0}};"
@@ -193,13 +195,11 @@ def simpler_functions(function):
             for replacement in simpler(expression):
                 expressions = list(statement.expressions)
                 expressions[position] = replacement
-                changed = dataclasses.replace(
+                changed = list(statements)
+                changed[i] = dataclasses.replace(
                     statement, expressions=tuple(expressions)
                 )
-                yield dataclasses.replace(
-                    function,
-                    statements=statements[:i] + (changed,) + statements[i + 1 :],
-                )
+                yield dataclasses.replace(function, statements=tuple(changed))
     for i in range(len(function.inputs) if len(function.inputs) > 1 else 0):
         yield dataclasses.replace(function, inputs=(function.inputs[i],))
     for name in function.varying:

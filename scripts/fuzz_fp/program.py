@@ -112,7 +112,8 @@ static void run{number}() {{
       for (int i = 0; i < count; ++i) {{
         const Input<Real> &each = all[i];
         {memory(varying, 'in')}
-        [[clang::always_inline]] r = e{number}({arguments}, m.Values, m.Values + 1, n);
+        [[clang::always_inline]] r =
+            e{number}({arguments}, m.Values, m.Values + 1, n);
         values[i] = r;
         related = r / in.b;
       }}
@@ -136,7 +137,8 @@ static void run{number}() {{
     }}
     line.value(r);
     {memory((), 'in')}
-    line.value(pointer(in.a, in.b, in.c, in.d, in.s, m.Values, m.Values + 1, in.n));
+    line.value(pointer(in.a, in.b, in.c, in.d, in.s, m.Values, m.Values + 1,
+                       in.n));
   }}
 }}
 """
@@ -184,7 +186,8 @@ static void run{f.number}() {{
     Input<Real> &in = inputs[k];
     MetRange = Ordinary;
     in.a.used(), in.b.used(), in.c.used(), in.d.used();
-    e{f.number}(in.a, in.b, in.c, in.d, in.s, in.m.Values, in.m.Values + 1, in.n).used();
+    e{f.number}(in.a, in.b, in.c, in.d, in.s, in.m.Values, in.m.Values + 1,
+        in.n).used();
     printf("%x %x %x\\n", {f.number}, k, MetRange);
   }}
 }}

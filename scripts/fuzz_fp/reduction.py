@@ -7,16 +7,17 @@ import tempfile
 from comparison import compare, is_excepted, parse_ranges, parse_results
 from functions import simpler_functions
 from program import program, range_check
-from targets import Failure
-
-ATTEMPTS = 80
+from targets import FINITE_ONLY, Failure
 
 
 def evaluate(tools, functions, configurations, directory, run=map):
     """Results by configuration, and ranges, of one program; a Failure stands
     for the results of a configuration that does not compile or run."""
-    check = write(directory, "check.cpp", range_check(functions))
-    ranges = parse_ranges(tools.run_check(check))
+    if any(c.flags in FINITE_ONLY for c in configurations):
+        check = write(directory, "check.cpp", range_check(functions))
+        ranges = parse_ranges(tools.run_check(check))
+    else:
+        ranges = {}
     sources = {}
     for flags in {configuration.flags for configuration in configurations}:
         excepted = {
@@ -58,8 +59,8 @@ def mismatch_of(tools, function, configurations):
     return mismatches[0] if mismatches else None
 
 
-def reduce(tools, mismatch):
-    """The mismatch of the simplest function found."""
+def reduce(tools, mismatch, limit):
+    """The mismatch of the simplest function found in so many attempts."""
     configurations = list(
         dict.fromkeys(
             (mismatch.first.configuration, mismatch.second.configuration)
@@ -73,7 +74,7 @@ def reduce(tools, mismatch):
     while progress:
         progress = False
         for function in simpler_functions(best.function):
-            if attempts == ATTEMPTS:
+            if attempts == limit:
                 return best
             attempts += 1
             found = mismatch_of(tools, function, configurations)
