@@ -4,7 +4,7 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "llvm-backend/FloatingPoint/CheckPass.h"
+#include "llvm-backend/FloatingPoint/Check/CheckPass.h"
 #include "llvm-backend/FloatingPoint/FloatingPointUnits.h"
 #include "llvm-backend/MCTargetDesc/TPELF.h"
 #include "llvm-backend/MCTargetDesc/TPInstPrinter.h"

@@ -4,7 +4,7 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "llvm-backend/FloatingPoint/CheckFailure.h"
+#include "llvm-backend/FloatingPoint/Check/CheckFailure.h"
 #include "llvm-backend/MCTargetDesc/TPBaseInfo.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
 #include "llvm-backend/TPBuiltins.h"

@@ -5,7 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/TPTargetTransformInfo.h"
-#include "llvm-backend/FloatingPoint/CheckPass.h"
+#include "llvm-backend/FloatingPoint/Check/CheckPass.h"
 #include "llvm-backend/TPBuiltins.h"
 
 using namespace llvm;

@@ -5,10 +5,10 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
-#include "llvm-backend/FloatingPoint/Canonicalizer.h"
-#include "llvm-backend/FloatingPoint/CheckMerging.h"
-#include "llvm-backend/FloatingPoint/CheckPass.h"
-#include "llvm-backend/FloatingPoint/Scope.h"
+#include "llvm-backend/FloatingPoint/Canonicalize/Canonicalizer.h"
+#include "llvm-backend/FloatingPoint/Check/CheckMerging.h"
+#include "llvm-backend/FloatingPoint/Check/CheckPass.h"
+#include "llvm-backend/FloatingPoint/Scope/Scope.h"
 #include "llvm/Passes/PassBuilder.h"
 
 using namespace llvm;

@@ -4,7 +4,7 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "llvm-backend/FloatingPoint/CheckFailure.h"
+#include "llvm-backend/FloatingPoint/Check/CheckFailure.h"
 #include "tp/thread.h"
 #include <cstdio>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 
 #include "simulator/core/Trap.h"
 
-#include "llvm-backend/FloatingPoint/CheckFailure.h"
+#include "llvm-backend/FloatingPoint/Check/CheckFailure.h"
 
 #include <cstdio>
 

@@ -6,7 +6,7 @@
 
 #include "simulator/tools/TrapMessage.h"
 
-#include "llvm-backend/FloatingPoint/CheckFailure.h"
+#include "llvm-backend/FloatingPoint/Check/CheckFailure.h"
 #include "simulator/isa/Instructions.h"
 
 #include "llvm/Support/Endian.h"

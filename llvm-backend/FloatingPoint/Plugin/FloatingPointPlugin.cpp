@@ -6,7 +6,7 @@
 
 #include "llvm-backend/FloatingPoint/FloatingPointOptions.h"
 #include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
-#include "llvm-backend/FloatingPoint/Scope.h"
+#include "llvm-backend/FloatingPoint/Scope/Scope.h"
 #include "llvm/Plugins/PassPlugin.h"
 #include "llvm/Target/TargetMachine.h"
 

@@ -5,7 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/link/WholeProgram.h"
-#include "llvm-backend/FloatingPoint/CheckPass.h"
+#include "llvm-backend/FloatingPoint/Check/CheckPass.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/link/LibraryFunctions.h"
 #include "llvm/Analysis/CGSCCPassManager.h"

@@ -4,7 +4,7 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "llvm-backend/FloatingPoint/CheckFailure.h"
+#include "llvm-backend/FloatingPoint/Check/CheckFailure.h"
 
 #include "gtest/gtest.h"
 
