@@ -58,8 +58,8 @@ void TPTargetLowering::configureFloats() {
   // Without the instruction fma is a function of the library.
   setOperationAction(ISD::FMA, MVT::f32, STI.hasFMA() ? Legal : Expand);
   setOperationAction(
-      {ISD::FSIN, ISD::FCOS, ISD::FSINCOS, ISD::FPOW, ISD::SELECT_CC},
-      MVT::f32, Expand);
+      {ISD::FSIN, ISD::FCOS, ISD::FSINCOS, ISD::FPOW, ISD::SELECT_CC}, MVT::f32,
+      Expand);
   setOperationAction({ISD::STRICT_FSETCC, ISD::STRICT_FSETCCS}, MVT::f32,
                      Legal);
   setOperationAction(ISD::FREM, {MVT::f32, MVT::f64}, LibCall);

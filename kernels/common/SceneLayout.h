@@ -31,7 +31,8 @@ inline constexpr uint32_t kMaxLeafTriangles = 15;
 inline constexpr uint32_t kMaxBvhTriangles = 1u << 24;
 /// So that a scene with the BvhWorkspace of its kernel fits there, too.
 inline constexpr uint32_t kMaxWorkspaceTriangles = 1u << 23;
-/// No vertex has a coordinate of a larger magnitude: BoundingBox::Far is beyond.
+/// No vertex has a coordinate of a larger magnitude: BoundingBox::Far is
+/// beyond.
 inline constexpr float kMaxCoordinate = 1e18f;
 /// Inner nodes on the way from the root to any leaf, at most.
 inline constexpr uint32_t kMaxBvhDepth = 40;
