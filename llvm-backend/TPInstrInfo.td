@@ -500,12 +500,12 @@ let isCodeGenOnly = 1, hasSideEffects = 1 in
 def MFSR_COUNTER
     : ReadSpecial<[(set (i32 GPR:$rd), (TPReadCounter timm:$special))]>;
 
-def BREAK : FormatControlI<58, "break", [(TPBreak timm:$imm)],
-                           "trap with code imm">;
+class Break<list<dag> pattern>
+    : FormatControlI<58, "break", pattern, "trap with code imm">;
+def BREAK : Break<[(TPBreak timm:$imm)]>;
 // For the code generator: the values of a failed check are in registers.
 let isCodeGenOnly = 1, Uses = [R4, R5, R6, R7, R8, R9] in
-def BREAK_FP_CHECK : FormatControlI<58, "break", [(TPFpCheckFailed timm:$imm)],
-                                    "trap with code imm">;
+def BREAK_FP_CHECK : Break<[(TPFpCheckFailed timm:$imm)]>;
 def PROF : FormatControlI<59, "prof", [(TPProf timm:$imm)],
                           "profile marker imm">;
 let Uses = [R4, R5, R6], Defs = [R2] in

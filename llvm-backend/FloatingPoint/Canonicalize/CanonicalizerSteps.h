@@ -47,11 +47,6 @@ void contractSums(Function &F, const FloatingPointTarget &Target);
 /// one way a call that they do not know.
 void fixMathFunctions(Function &F);
 
-/// Removes what finite math promises about parameters and results. Without
-/// `nnan` and `ninf` on the instructions around it, LLVM 22.1 makes wrong code
-/// of `nofpclass`: InstCombine puts a copysign behind its use.
-void stripValueClasses(Function &F);
-
 /// Removes the fast-math flags that allow other bits, and the attributes and
 /// metadata that say the same. `nnan` and `ninf` stay.
 void stripFastMathFlags(Function &F);

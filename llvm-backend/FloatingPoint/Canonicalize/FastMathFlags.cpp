@@ -5,9 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/FloatingPoint/Canonicalize/CanonicalizerSteps.h"
-#include "llvm/IR/AttributeMask.h"
 #include "llvm/IR/InstIterator.h"
-#include "llvm/IR/InstrTypes.h"
 #include "llvm/IR/LLVMContext.h"
 #include "llvm/IR/Operator.h"
 
@@ -18,20 +16,6 @@ static FastMathFlags onlyFiniteMath(FastMathFlags Flags) {
   Result.setNoNaNs(Flags.noNaNs());
   Result.setNoInfs(Flags.noInfs());
   return Result;
-}
-
-void llvm::stripValueClasses(Function &F) {
-  AttributeMask Promise;
-  Promise.addAttribute(Attribute::NoFPClass);
-  F.removeRetAttrs(Promise);
-  for (Argument &Parameter : F.args())
-    Parameter.removeAttrs(Promise);
-  for (Instruction &I : instructions(F))
-    if (auto *Call = dyn_cast<CallBase>(&I)) {
-      Call->removeRetAttrs(Promise);
-      for (unsigned Argument = 0; Argument != Call->arg_size(); ++Argument)
-        Call->removeParamAttrs(Argument, Promise);
-    }
 }
 
 void llvm::stripFastMathFlags(Function &F) {

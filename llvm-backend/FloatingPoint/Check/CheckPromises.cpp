@@ -5,7 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/FloatingPoint/Check/CheckPromises.h"
-#include "llvm/IR/AttributeMask.h"
+#include "llvm-backend/FloatingPoint/ValueClasses.h"
 #include "llvm/IR/InstIterator.h"
 #include "llvm/IR/IntrinsicInst.h"
 #include "llvm/IR/Operator.h"
@@ -139,22 +139,12 @@ bool llvm::isResultToCheck(const Instruction &I, NonFinite Classes) {
 }
 
 void llvm::dropPromises(Function &F) {
-  AttributeMask Promises;
-  Promises.addAttribute(Attribute::NoFPClass);
-  F.removeRetAttrs(Promises);
-  for (Argument &A : F.args())
-    A.removeAttrs(Promises);
+  dropValueClasses(F);
   F.removeFnAttr("no-nans-fp-math");
   F.removeFnAttr("no-infs-fp-math");
-  for (Instruction &I : instructions(F)) {
-    if (auto *Call = dyn_cast<CallBase>(&I)) {
-      Call->removeRetAttrs(Promises);
-      for (unsigned Argument : seq(Call->arg_size()))
-        Call->removeParamAttrs(Argument, Promises);
-    }
+  for (Instruction &I : instructions(F))
     if (isa<FPMathOperator>(I)) {
       I.setHasNoNaNs(false);
       I.setHasNoInfs(false);
     }
-  }
 }

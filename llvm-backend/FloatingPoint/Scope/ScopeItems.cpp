@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/FloatingPoint/Scope/ScopeItems.h"
+#include "llvm-backend/FloatingPoint/ValueClasses.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/IR/IRBuilder.h"
 #include "llvm/IR/InstIterator.h"
@@ -23,29 +24,17 @@ static bool isMultiplyAdd(const Instruction &I) {
   return Call && Call->getIntrinsicID() == Intrinsic::fmuladd;
 }
 
-static bool promisesClasses(const AttributeList &Attributes) {
-  return Attributes.hasAttrSomewhere(Attribute::NoFPClass);
-}
-
-static AttributeList withoutClasses(LLVMContext &Context,
-                                    AttributeList Attributes) {
-  for (unsigned Index : Attributes.indexes())
-    Attributes =
-        Attributes.removeAttributeAtIndex(Context, Index, Attribute::NoFPClass);
-  return Attributes;
-}
-
 static bool isFree(const Instruction &I) {
   if (isa<FPMathOperator>(I) && I.getFastMathFlags().any())
     return true;
   if (const auto *Call = dyn_cast<CallBase>(&I))
-    return isMultiplyAdd(I) || promisesClasses(Call->getAttributes());
+    return isMultiplyAdd(I) || promisesValueClasses(Call->getAttributes());
   return false;
 }
 
 // What a function promises of its arithmetic matters only if it has some.
 static bool hasPromises(Function &F) {
-  if (promisesClasses(F.getAttributes()))
+  if (promisesValueClasses(F.getAttributes()))
     return true;
   bool PromisesOfArithmetic = any_of(FunctionPromises, [&](StringRef Promise) {
     return F.hasFnAttribute(Promise);
@@ -66,7 +55,7 @@ SmallVector<ScopeItem> llvm::scopeItems(Function &F) {
 }
 
 static void removePromises(Function &F) {
-  F.setAttributes(withoutClasses(F.getContext(), F.getAttributes()));
+  F.setAttributes(withoutValueClasses(F.getContext(), F.getAttributes()));
   for (StringRef Promise : FunctionPromises)
     F.removeFnAttr(Promise);
 }
@@ -89,7 +78,8 @@ static void makeStrict(Instruction &I) {
   if (isa<FPMathOperator>(I))
     I.copyFastMathFlags(FastMathFlags());
   if (auto *Call = dyn_cast<CallBase>(&I))
-    Call->setAttributes(withoutClasses(I.getContext(), Call->getAttributes()));
+    Call->setAttributes(
+        withoutValueClasses(I.getContext(), Call->getAttributes()));
 }
 
 void llvm::makeStrict(ScopeItem Item, Function &F) {
