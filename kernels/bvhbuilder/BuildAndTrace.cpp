@@ -9,7 +9,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "kernels/bvhbuilder/SceneBvh.h"
-#include "kernels/pathtracer/PathTracer.h"
+#include "kernels/pathtracer/MemoryRayTracer.h"
 #include "tp/launch.h"
 #include "tp/memory.h"
 
@@ -17,6 +17,6 @@ int main() {
   const tp::LaunchBlock Launch = tp::launchBlock();
   if (!tp::buildSceneBvh(tp::devicePointer<void>(Launch.Scene)))
     return 1;
-  tp::renderPixels(Launch);
+  tp::renderPixelsFromMemory(Launch);
   return 0;
 }

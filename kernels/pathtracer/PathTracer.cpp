@@ -4,10 +4,10 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "kernels/pathtracer/PathTracer.h"
+#include "kernels/pathtracer/MemoryRayTracer.h"
 
 int main() {
   const tp::LaunchBlock Launch = tp::launchBlock();
-  tp::renderPixels(Launch);
+  tp::renderPixelsFromMemory(Launch);
   return 0;
 }

@@ -1,4 +1,4 @@
-//===- PathTracer.h - The baseline path tracer ------------------*- C++ -*-===//
+//===- PathTracer.h - The path tracer ---------------------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -14,7 +14,7 @@
 #ifndef TP_KERNELS_PATHTRACER_PATHTRACER_H
 #define TP_KERNELS_PATHTRACER_PATHTRACER_H
 
-#include "kernels/bvh/BvhTraversal.h"
+#include "kernels/bvh/Ray.h"
 #include "kernels/common/ColorEncoding.h"
 #include "kernels/common/Random.h"
 #include "kernels/common/Sampling.h"
@@ -45,13 +45,16 @@ struct LightPoint {
   Vector3 Emission;
 };
 
-/// One thread of the path tracer.
-class PathTracer {
+/// One thread of the path tracer. \p RayTracer has
+///   Hit findClosestHit(const Ray &R, float MaxDistance): the first triangle
+///     that R meets before MaxDistance;
+///   bool isBlocked(const Ray &R, float MaxDistance): whether there is any.
+template <class RayTracer> class PathTracer {
 public:
-  explicit PathTracer(const LaunchBlock &Launch)
-      : Scene(devicePointer<const void>(Launch.Scene)),
-        Camera(Scene.Header->Camera), Root(Scene.Header->Root),
-        LightCount(Scene.Header->LightCount),
+  /// \p Rays traces rays through the scene of \p Launch.
+  PathTracer(const LaunchBlock &Launch, const RayTracer &Rays)
+      : Rays(Rays), Scene(devicePointer<const void>(Launch.Scene)),
+        Camera(Scene.Header->Camera), LightCount(Scene.Header->LightCount),
         SurfaceOffset(Scene.Header->SurfaceOffset),
         LightScale(Scene.Header->LightScale),
         SamplesPerPixel(Launch.SamplesPerPixel), MaxDepth(Launch.MaxDepth),
@@ -79,9 +82,9 @@ private:
   LightPoint samplePoint(RandomWords Random) const;
   Vector3 reflectLight(const Vertex &At, const LightPoint &Light);
 
+  RayTracer Rays;
   const SceneView Scene;
   const CameraRecord Camera;
-  const BvhReference Root;
   const uint32_t LightCount;
   const float SurfaceOffset;
   const float LightScale;
@@ -95,8 +98,10 @@ private:
 };
 
 /// A ray through a random point of the pixel.
-inline Ray PathTracer::primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel,
-                                  uint32_t Sample) const {
+template <class RayTracer>
+inline Ray PathTracer<RayTracer>::primaryRay(uint32_t X, uint32_t Y,
+                                             uint32_t Pixel,
+                                             uint32_t Sample) const {
   const RandomWords Random = randomWords(Pixel, Sample, 0, Seed);
   const float Column = static_cast<float>(static_cast<int>(X));
   const float Row = static_cast<float>(static_cast<int>(Y));
@@ -107,8 +112,10 @@ inline Ray PathTracer::primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel,
           Camera.Forward + Camera.Right * ScreenX + Camera.Up * ScreenY};
 }
 
-inline Vertex PathTracer::makeVertex(const Ray &R, const Hit &Found,
-                                     const TriangleRecord &Triangle) const {
+template <class RayTracer>
+inline Vertex
+PathTracer<RayTracer>::makeVertex(const Ray &R, const Hit &Found,
+                                  const TriangleRecord &Triangle) const {
   Vertex Result;
   const Vector3 Normal = Triangle.Plane.Direction;
   Result.UnitNormal = dot(Normal, R.Direction) > 0.0f ? -Normal : Normal;
@@ -119,7 +126,8 @@ inline Vertex PathTracer::makeVertex(const Ray &R, const Hit &Found,
 }
 
 /// A point of the lights, uniform by area.
-inline LightPoint PathTracer::samplePoint(RandomWords Random) const {
+template <class RayTracer>
+inline LightPoint PathTracer<RayTracer>::samplePoint(RandomWords Random) const {
   const RandomChoice Cell = chooseIndex(Random.X, LightCount);
   const LightChoice Choice = Scene.LightChoices[Cell.Index];
   const bool Keep = Cell.Remainder < Choice.Keep;
@@ -131,8 +139,9 @@ inline LightPoint PathTracer::samplePoint(RandomWords Random) const {
 
 /// The radiance of the light's point that the surface reflects if it is white.
 /// The BRDF's 1 / pi and the density of the point are in LightScale.
-inline Vector3 PathTracer::reflectLight(const Vertex &At,
-                                        const LightPoint &Light) {
+template <class RayTracer>
+inline Vector3 PathTracer<RayTracer>::reflectLight(const Vertex &At,
+                                                   const LightPoint &Light) {
   const Ray Shadow{At.Origin, Light.Position - At.Origin};
   const float CosineHere = dot(At.UnitNormal, Shadow.Direction);
   const float CosineThere = fabs(dot(Light.UnitNormal, Shadow.Direction));
@@ -144,7 +153,7 @@ inline Vector3 PathTracer::reflectLight(const Vertex &At,
   // Ends before the light itself.
   constexpr float ShadowEnd = 0.999f;
   ++RayCount;
-  if (isBlocked(Scene, Root, Shadow, ShadowEnd))
+  if (Rays.isBlocked(Shadow, ShadowEnd))
     return {};
   const float Geometry =
       CosineHere * CosineThere / (DistanceSquared * DistanceSquared);
@@ -152,12 +161,14 @@ inline Vector3 PathTracer::reflectLight(const Vertex &At,
 }
 
 /// The radiance that arrives along \p R from the scene.
-inline Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
+template <class RayTracer>
+inline Vector3 PathTracer<RayTracer>::tracePath(Ray R, uint32_t Pixel,
+                                                uint32_t Sample) {
   Vector3 Radiance;
   Vector3 Throughput = {1, 1, 1};
   for (uint32_t Depth = 1;; ++Depth) {
     ++RayCount;
-    const Hit Found = findClosestHit(Scene, Root, R, Farthest);
+    const Hit Found = Rays.findClosestHit(R, Farthest);
     if (Found.Triangle == kNoTriangle)
       return Radiance;
     // Everything that a vertex may need is loaded before the first decision, to
@@ -184,9 +195,10 @@ inline Vector3 PathTracer::tracePath(Ray R, uint32_t Pixel, uint32_t Sample) {
 }
 
 /// Takes pixels of the launch's picture until none is left; all threads call
-/// it.
-inline void renderPixels(const LaunchBlock &Launch) {
-  PathTracer Tracer(Launch);
+/// it. \p Rays traces rays through the launch's scene.
+template <class RayTracer>
+void renderPixels(const LaunchBlock &Launch, const RayTracer &Rays) {
+  PathTracer<RayTracer> Tracer(Launch, Rays);
   uint32_t *WorkCounter = devicePointer<uint32_t>(Launch.WorkCounter);
   uint32_t *Framebuffer = devicePointer<uint32_t>(Launch.Framebuffer);
   const uint32_t PixelCount = Launch.Width * Launch.Height;

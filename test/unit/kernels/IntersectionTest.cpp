@@ -10,8 +10,8 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "kernels/bvh/BvhTraversal.h"
 #include "kernels/common/SceneFlattener.h"
+#include "kernels/pathtracer/MemoryRayTracer.h"
 #include "scenes/loader/SceneLoader.h"
 
 #include <cmath>
@@ -125,12 +125,13 @@ static Comparison compare(const Scene &Source, unsigned Count,
                           float RelativeError, MakeRay Make) {
   const EmbreeOracle Oracle(Source);
   const FlatScene Flat(Source);
-  const SceneView View = Flat.view();
+  TraversalStack::Entry Entries[TraversalStack::Capacity];
+  MemoryRayTracer<> Rays(Flat.view(), Entries);
   Comparison Result;
   for (; Result.Rays != Count; ++Result.Rays) {
     const Ray R = Make();
     const float Expected = Oracle.distance(R, 1e30f);
-    const Hit Found = findClosestHit(View, View.Header->Root, R, 1e30f);
+    const Hit Found = Rays.findClosestHit(R, 1e30f);
     const bool IsHit = Found.Triangle != kNoTriangle;
     Result.Hits += IsHit;
     const bool Agrees = IsHit ? std::abs(Found.Distance - Expected) <=
@@ -140,7 +141,7 @@ static Comparison compare(const Scene &Source, unsigned Count,
 
     const float End = IsHit ? Found.Distance * 1.5f : 1000.0f;
     for (float MaxDistance : {End * 0.5f, End}) {
-      const bool Blocked = isBlocked(View, View.Header->Root, R, MaxDistance);
+      const bool Blocked = Rays.isBlocked(R, MaxDistance);
       Result.Disagreements += Blocked != Oracle.isBlocked(R, MaxDistance);
       EXPECT_EQ(Blocked, IsHit && Found.Distance < MaxDistance)
           << "both queries find the same";
@@ -221,7 +222,8 @@ TEST(Intersection, RaysInTheCornellBoxDoNotLeak) {
       loadScene(std::string(TP_SCENES_FOLDER) + "/cornell/cornell.gltf");
   ASSERT_TRUE(Box) << Box.message();
   const FlatScene Flat(*Box);
-  const SceneView View = Flat.view();
+  TraversalStack::Entry Entries[TraversalStack::Capacity];
+  MemoryRayTracer<> Rays(Flat.view(), Entries);
   std::mt19937 Generator(9);
   unsigned Escaped = 0;
   for (unsigned I = 0; I != 200000; ++I) {
@@ -229,8 +231,7 @@ TEST(Intersection, RaysInTheCornellBoxDoNotLeak) {
     Vector3 Direction = randomVector(Generator, -1, 1);
     Direction.Z = std::abs(Direction.Z) + 0.5f;
     const Ray R{{278, 400, 100}, Direction};
-    Escaped += findClosestHit(View, View.Header->Root, R, 1e30f).Triangle ==
-               kNoTriangle;
+    Escaped += Rays.findClosestHit(R, 1e30f).Triangle == kNoTriangle;
   }
   EXPECT_LE(Escaped, 2u);
 }

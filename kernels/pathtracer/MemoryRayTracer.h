@@ -1,0 +1,53 @@
+//===- MemoryRayTracer.h - Rays through a BVH in memory ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_PATHTRACER_MEMORYRAYTRACER_H
+#define TP_KERNELS_PATHTRACER_MEMORYRAYTRACER_H
+
+#include "kernels/bvh/BvhTraversal.h"
+#include "kernels/pathtracer/PathTracer.h"
+
+namespace tp {
+
+/// Traces every ray from global memory. \p Format is a format of nodes, like
+/// FullNodes.
+template <class Format = FullNodes> class MemoryRayTracer {
+public:
+  /// \p Entries has room for TraversalStack::Capacity entries.
+  MemoryRayTracer(const SceneView &Scene, TraversalStack::Entry *Entries)
+      : Memory{Format::nodes(Scene), Scene.Triangles},
+        Root(Format::root(Scene)), Entries(Entries) {}
+
+  /// The first triangle that \p R meets before \p MaxDistance.
+  TP_KERNEL_INLINE Hit findClosestHit(const Ray &R, float MaxDistance) {
+    const typename Format::BoxTester Boxes(R);
+    Hit Found{MaxDistance, kNoTriangle};
+    findClosestHitBelow<Format>(Memory, Root, R, Boxes, Entries, Found);
+    return Found;
+  }
+
+  /// Whether \p R meets any triangle before \p MaxDistance.
+  TP_KERNEL_INLINE bool isBlocked(const Ray &R, float MaxDistance) {
+    const typename Format::BoxTester Boxes(R);
+    return isBlockedBelow<Format>(Memory, Root, R, Boxes, Entries, MaxDistance);
+  }
+
+private:
+  const BvhMemory Memory;
+  const BvhReference Root;
+  TraversalStack::Entry *const Entries;
+};
+
+/// The baseline: renderPixels() from global memory.
+inline void renderPixelsFromMemory(const LaunchBlock &Launch) {
+  TraversalStack::Entry Entries[TraversalStack::Capacity];
+  const SceneView Scene(devicePointer<const void>(Launch.Scene));
+  renderPixels(Launch, MemoryRayTracer<>(Scene, Entries));
+}
+
+} // namespace tp
+
+#endif // TP_KERNELS_PATHTRACER_MEMORYRAYTRACER_H
