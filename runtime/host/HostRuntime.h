@@ -34,13 +34,23 @@ DeviceAddress deviceAddress(const void *Pointer);
 /// Forgets every allocation. The memory reads as zero again.
 void resetMemory();
 
+/// Bytes of each thread's local store if nobody sets them: those of the
+/// report's chip.
+inline constexpr uint32_t kDefaultLocalStoreBytes = 16 * 1024;
+
+/// Gives each thread \p Bytes (a multiple of 16) of local store, all of it free
+/// for the program (tp/local_store.h). Not while a kernel runs.
+void setLocalStoreBytes(uint32_t Bytes);
+
 } // namespace host
 
 /// Runs \p KernelMain once on each of \p Threads threads with the ids 0 to
-/// \p Threads - 1 (one TM with that many TPs) and the launch block \p Launch.
-/// One thread runs on the caller's own thread, so that a debugger and the order
-/// of everything are plain. Returns the first non-zero status in the order of
-/// the threads, else 0. Not reentrant.
+/// \p Threads - 1 (one TM with that many TPs) and the launch block \p Launch,
+/// whose arguments it gets. One thread runs on the caller's own thread, so that
+/// a debugger and the order of everything are plain. Returns the first non-zero
+/// status in the order of the threads, else 0. Not reentrant.
+int runOnHost(int (*KernelMain)(int ArgumentCount, char **Arguments),
+              unsigned Threads, const LaunchBlock &Launch);
 int runOnHost(int (*KernelMain)(), unsigned Threads, const LaunchBlock &Launch);
 
 } // namespace tp

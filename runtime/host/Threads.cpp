@@ -6,10 +6,12 @@
 
 #include "runtime/host/HostRuntime.h"
 #include "tp/barrier.h"
+#include "tp/memory.h"
 #include "tp/stream.h"
 #include "tp/thread.h"
 #include <barrier>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -67,21 +69,21 @@ uint32_t streamPop(Stream *S) {
   return Value;
 }
 
-int runOnHost(int (*KernelMain)(), unsigned Threads,
-              const LaunchBlock &Launch) {
+static int runOnThreads(const std::function<int()> &Kernel, unsigned Threads,
+                        const LaunchBlock &Launch) {
   CurrentLaunch = Launch;
   CurrentThreadCount = Threads;
   CurrentThreadId = 0;
   if (Threads == 1)
-    return KernelMain();
+    return Kernel();
 
   CurrentBarrier = std::make_unique<std::barrier<>>(Threads);
   std::vector<int> Statuses(Threads, 0);
   std::vector<std::thread> Workers;
   for (unsigned Id = 0; Id != Threads; ++Id)
-    Workers.emplace_back([&Statuses, KernelMain, Id] {
+    Workers.emplace_back([&Statuses, &Kernel, Id] {
       CurrentThreadId = Id;
-      Statuses[Id] = KernelMain();
+      Statuses[Id] = Kernel();
       CurrentBarrier->arrive_and_drop();
     });
   for (std::thread &Worker : Workers)
@@ -92,6 +94,26 @@ int runOnHost(int (*KernelMain)(), unsigned Threads,
     if (Status)
       return Status;
   return 0;
+}
+
+int runOnHost(int (*KernelMain)(int, char **), unsigned Threads,
+              const LaunchBlock &Launch) {
+  const auto *Addresses = devicePointer<const DeviceAddress>(Launch.Arguments);
+  std::vector<char *> Arguments;
+  for (uint32_t I = 0; I != Launch.ArgumentCount; ++I)
+    Arguments.push_back(devicePointer<char>(Addresses[I]));
+  Arguments.push_back(nullptr);
+  return runOnThreads(
+      [&] {
+        return KernelMain(static_cast<int>(Launch.ArgumentCount),
+                          Arguments.data());
+      },
+      Threads, Launch);
+}
+
+int runOnHost(int (*KernelMain)(), unsigned Threads,
+              const LaunchBlock &Launch) {
+  return runOnThreads(KernelMain, Threads, Launch);
 }
 
 } // namespace tp

@@ -42,6 +42,9 @@ static void defineBounds(const Layout &Program, SymbolTable &Globals,
 }
 
 void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals) {
+  const auto StackTop = static_cast<uint32_t>(
+      alignDown(Program.ThreadLocalBegin, memorymap::StackAlignment));
+  constexpr uint32_t StackBytes = 1024;
   struct {
     const char *Name;
     uint32_t Value;
@@ -49,9 +52,9 @@ void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals) {
       {"__tp_image_end", Program.ImageEnd},
       {"__tp_tls_begin", Program.ThreadLocalBegin},
       {"__tp_tls_end", memorymap::ThreadLocalEnd},
-      {"__tp_stack_top",
-       static_cast<uint32_t>(
-           alignDown(Program.ThreadLocalBegin, memorymap::StackAlignment))},
+      {"__tp_stack_top", StackTop},
+      {"__tp_stack_bytes", StackBytes},
+      {"__tp_stack_limit", StackTop - StackBytes},
       {"__tp_tdata_image", Program.ThreadLocalDataImage
                                ? Program.ThreadLocalDataImage
                                : Program.ImageEnd},

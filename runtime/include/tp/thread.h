@@ -31,7 +31,7 @@ inline uint32_t tpCount() { return __builtin_tp_tp_count(); }
 /// TMs of the chip.
 inline uint32_t tmCount() { return __builtin_tp_tm_count(); }
 /// Bytes of each TP's local store, which holds its stack and thread_local
-/// objects. 0 on the host.
+/// objects. On the host: bytes of what freeLocalStore() gives.
 inline uint32_t localStoreBytes() { return __builtin_tp_local_store_bytes(); }
 
 /// Clock cycles since the start of the run. On the host: nanoseconds.
@@ -58,10 +58,6 @@ inline uint64_t instructionCount() {
   }
 }
 
-/// Marks the start of the program's phase \p Phase for the simulator's
-/// statistics. Nothing on the host.
-template <uint32_t Phase> inline void profile() { __builtin_tp_prof(Phase); }
-
 #else
 
 uint32_t threadId();
@@ -70,10 +66,9 @@ uint32_t tmId();
 uint32_t threadCount();
 uint32_t tpCount();
 uint32_t tmCount();
-inline uint32_t localStoreBytes() { return 0; }
+uint32_t localStoreBytes();
 uint64_t cycleCount();
 inline uint64_t instructionCount() { return 0; }
-template <uint32_t Phase> inline void profile() {}
 
 #endif
 
