@@ -34,6 +34,6 @@ int main(int ArgumentCount, char **Arguments) {
   if (!Main)
     return fail(Program, Path + ": has no main");
   Arguments[1] = Arguments[0];
-  return runNatively(reinterpret_cast<int (*)()>(Main), Program, Usage,
+  return runNatively(reinterpret_cast<tp::KernelMain>(Main), Program, Usage,
                      ArgumentCount - 1, Arguments + 1);
 }

@@ -7,6 +7,7 @@
 #include "kernels/native/NativeRunner.h"
 
 #include "kernels/common/BuiltBvh.h"
+#include "kernels/common/LaunchArguments.h"
 #include "kernels/native/HostMemory.h"
 #include "kernels/native/RunnerOptions.h"
 #include "scenes/image/PngWriter.h"
@@ -36,7 +37,7 @@ static void reportSpeed(uint64_t Rays, double Seconds) {
                Rays, Seconds, double(Rays) / Seconds / 1e6);
 }
 
-int runNatively(int (*KernelMain)(), const char *Program,
+int runNatively(KernelMain Kernel, const char *Program,
                 const std::string &Usage, int ArgumentCount, char **Arguments) {
   const ErrorOr<RunnerOptions> Options =
       parseRunnerOptions(ArgumentCount, Arguments);
@@ -54,13 +55,20 @@ int runNatively(int (*KernelMain)(), const char *Program,
     std::fprintf(stderr, "%s: warning: %s: %s\n", Program,
                  Options->ScenePath.c_str(), Warning.c_str());
   HostMemory Memory;
-  const ErrorOr<LaunchBlock> Launch =
+  ErrorOr<LaunchBlock> Launch =
       setUpLaunch(*Source, Options->Render, Options->Threads, Memory);
   if (!Launch)
     return fail(Program, Launch.message());
+  std::vector<std::string> KernelArguments = {Program};
+  KernelArguments.insert(KernelArguments.end(),
+                         Options->KernelArguments.begin(),
+                         Options->KernelArguments.end());
+  if (Status Placed = placeArguments(KernelArguments, Memory, *Launch); !Placed)
+    return fail(Program, Placed.message());
+  host::setLocalStoreBytes(Options->LocalStoreBytes);
 
   const auto Start = std::chrono::steady_clock::now();
-  if (const int Status = runOnHost(KernelMain, Options->Threads, *Launch))
+  if (const int Status = runOnHost(Kernel, Options->Threads, *Launch))
     return Status;
   const std::chrono::duration<double> Elapsed =
       std::chrono::steady_clock::now() - Start;

@@ -11,10 +11,12 @@
 
 namespace tp {
 
+using KernelMain = int (*)(int ArgumentCount, char **Arguments);
+
 /// Renders as the command line in \p Arguments (with the program's name first)
-/// asks, with the kernel whose `main` is \p KernelMain. Errors name \p Program;
+/// asks, with the kernel whose `main` is \p Kernel. Errors name \p Program;
 /// \p Usage is how the usage text begins. Returns the exit status.
-int runNatively(int (*KernelMain)(), const char *Program,
+int runNatively(KernelMain Kernel, const char *Program,
                 const std::string &Usage, int ArgumentCount, char **Arguments);
 
 /// The last part of \p Path.

@@ -6,17 +6,20 @@
 
 #include "kernels/native/RunnerOptions.h"
 
+#include "tp/memory_map.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <getopt.h>
+#include <string_view>
 #include <thread>
 
 namespace tp {
 
 std::string runnerUsage(const std::string &Program) {
   return "USAGE: " + Program +
-         " --scene FILE [options]\n\n"
+         " --scene FILE [options] [-- kernel arguments]\n\n"
          "Renders a scene with a kernel that is compiled for the host.\n\n"
          "OPTIONS:\n"
          "  --scene FILE         glTF or GLB file to render\n"
@@ -28,6 +31,9 @@ std::string runnerUsage(const std::string &Program) {
          "  --bvh host|kernel    who builds the BVH (host)\n"
          "  --bvh-output FILE    where to write the BVH that the kernel built\n"
          "  --threads N          host threads (one per processor)\n"
+         "  --local-store BYTES  local store of each thread, as in 16KiB (" +
+         std::to_string(host::kDefaultLocalStoreBytes / 1024) +
+         "KiB)\n"
          "  -o FILE              PNG to write (none)\n";
 }
 
@@ -41,6 +47,27 @@ static Status parseNumber(const char *Option, const char *Text,
                "' is not a whole number below 2^32"};
 }
 
+static Status parseLocalStoreBytes(std::string_view Text, uint32_t &Bytes) {
+  constexpr uint32_t Unit = 16;
+  const char *const End = Text.data() + Text.size();
+  uint64_t Number = 0;
+  const auto Parsed = std::from_chars(Text.data(), End, Number);
+  const std::string_view Suffix(Parsed.ptr, End);
+  const bool IsNumber = Parsed.ec == std::errc() && Number <= UINT32_MAX;
+  if (IsNumber && (Suffix == "KiB" || Suffix == "MiB"))
+    Number <<= Suffix == "KiB" ? 10 : 20;
+  else if (!IsNumber || !Suffix.empty())
+    return Error{"--local-store: '" + std::string(Text) +
+                 "' is not a number of bytes, as in 16384 or 16KiB"};
+  if (Number > kLocalStoreBytesMax || Number % Unit)
+    return Error{"--local-store: must be a multiple of " +
+                 std::to_string(Unit) + " up to " +
+                 std::to_string(kLocalStoreBytesMax) + " bytes, not " +
+                 std::string(Text)};
+  Bytes = uint32_t(Number);
+  return success();
+}
+
 ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
                                           char *const *Arguments) {
   enum {
@@ -52,6 +79,7 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
     Bvh,
     BvhOutput,
     Threads,
+    LocalStore,
     Help
   };
   static const option LongOptions[] = {
@@ -63,8 +91,11 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
       {"bvh", required_argument, nullptr, Bvh},
       {"bvh-output", required_argument, nullptr, BvhOutput},
       {"threads", required_argument, nullptr, Threads},
+      {"local-store", required_argument, nullptr, LocalStore},
       {"help", no_argument, nullptr, Help},
       {nullptr, 0, nullptr, 0}};
+  // What getopt_long() returns for a word that is no option.
+  constexpr int PlainWord = 1;
   constexpr unsigned MaxThreads = 1024;
   RunnerOptions Options;
   Options.Threads = std::max(1u, std::thread::hardware_concurrency());
@@ -72,9 +103,10 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
   opterr = 0;
   for (;;) {
     Status Parsed = success();
-    // The leading colon tells a missing value from an unknown option.
+    // The dash keeps the order of the words, so that `--` parts them; the colon
+    // tells a missing value from an unknown option.
     switch (
-        getopt_long(ArgumentCount, Arguments, ":o:", LongOptions, nullptr)) {
+        getopt_long(ArgumentCount, Arguments, "-:o:", LongOptions, nullptr)) {
     case Scene:
       Options.ScenePath = optarg;
       break;
@@ -102,6 +134,9 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
         Parsed = Error{"--threads: must be from 1 to " +
                        std::to_string(MaxThreads) + ", not " + optarg};
       break;
+    case LocalStore:
+      Parsed = parseLocalStoreBytes(optarg, Options.LocalStoreBytes);
+      break;
     case 'o':
       Options.OutputPath = optarg;
       break;
@@ -113,10 +148,12 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
     case '?':
       return Error{std::string("unknown option '") + Arguments[optind - 1] +
                    "'; --help lists the options"};
+    case PlainWord:
+      return Error{std::string("unexpected argument '") + optarg +
+                   "'; arguments of the kernel go behind --"};
     case -1:
-      if (optind != ArgumentCount)
-        return Error{std::string("unexpected argument '") + Arguments[optind] +
-                     "'"};
+      Options.KernelArguments.assign(Arguments + optind,
+                                     Arguments + ArgumentCount);
       if (Options.ScenePath.empty())
         return Error{"no scene; name one with --scene FILE"};
       if (!Options.BvhOutputPath.empty() &&

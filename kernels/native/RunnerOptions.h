@@ -8,9 +8,11 @@
 #define TP_KERNELS_NATIVE_RUNNEROPTIONS_H
 
 #include "kernels/common/LaunchSetup.h"
+#include "runtime/host/HostRuntime.h"
 #include "scenes/ErrorOr.h"
 
 #include <string>
+#include <vector>
 
 namespace tp {
 
@@ -22,6 +24,10 @@ struct RunnerOptions {
   RenderOptions Render;
   /// Threads of the host, at least 1.
   unsigned Threads = 1;
+  /// Of each thread; a multiple of 16.
+  uint32_t LocalStoreBytes = host::kDefaultLocalStoreBytes;
+  /// What the kernel's main() gets behind the program's name.
+  std::vector<std::string> KernelArguments;
   /// PNG to write; none if empty.
   std::string OutputPath;
   /// File for the tree that the kernel built; none if empty.

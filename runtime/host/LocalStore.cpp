@@ -4,8 +4,8 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "tp/local_store.h"
 #include "runtime/host/HostRuntime.h"
+#include "tp/local_store.h"
 #include <memory>
 #include <new>
 

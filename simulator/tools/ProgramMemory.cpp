@@ -6,6 +6,8 @@
 
 #include "simulator/tools/ProgramMemory.h"
 
+#include "kernels/common/LaunchArguments.h"
+
 #include "llvm/ADT/Twine.h"
 #include "llvm/Support/MathExtras.h"
 
@@ -37,25 +39,6 @@ void ProgramMemory::read(DeviceAddress Address, void *Target,
   Global.read(Address, Target, Bytes);
 }
 
-/// Places argv; 0 if there is no room.
-static DeviceAddress placeArguments(const std::vector<std::string> &Arguments,
-                                    ProgramMemory &Memory) {
-  std::vector<DeviceAddress> Pointers;
-  for (const std::string &Argument : Arguments) {
-    DeviceAddress Address = Memory.allocate(Argument.size() + 1, 1);
-    if (!Address)
-      return 0;
-    Memory.write(Address, Argument.c_str(), Argument.size() + 1);
-    Pointers.push_back(Address);
-  }
-  Pointers.push_back(0);
-  size_t Bytes = Pointers.size() * sizeof(DeviceAddress);
-  DeviceAddress Table = Memory.allocate(Bytes, sizeof(DeviceAddress));
-  if (Table)
-    Memory.write(Table, Pointers.data(), Bytes);
-  return Table;
-}
-
 Expected<LaunchBlock> setUpProgram(const ElfProgram &Program,
                                    const LaunchRequest &Request, Memory &Global,
                                    ProgramMemory &Launch) {
@@ -77,11 +60,8 @@ Expected<LaunchBlock> setUpProgram(const ElfProgram &Program,
       return createStringError(WithScene.message());
     Block = *WithScene;
   }
-  Block.ArgumentCount = Request.Arguments.size();
-  Block.Arguments = placeArguments(Request.Arguments, Launch);
-  if (!Block.Arguments)
-    return createStringError("the program's arguments do not fit in the "
-                             "chip's memory");
+  if (Status Placed = placeArguments(Request.Arguments, Launch, Block); !Placed)
+    return createStringError(Placed.message());
   // More than the alignment of any type.
   constexpr uint64_t HeapAlignment = 64;
   Block.HeapEnd = DeviceAddress(Global.size());
