@@ -1,0 +1,198 @@
+//===- TreeCache.h - The part of a BVH that a thread keeps ------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// A tree of slots that hangs at the root word. A node is in the cache only if
+// its parent is, so unloading a node takes its whole branch along. Everything
+// is offsets from the first slot.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_TREECACHE_TREECACHE_H
+#define TP_KERNELS_TREECACHE_TREECACHE_H
+
+#include "kernels/common/RayEvents.h"
+#include "kernels/treecache/CacheLink.h"
+#include "kernels/treecache/SlotFormat.h"
+#include "kernels/treecache/WordCopy.h"
+
+#include <stdint.h>
+
+namespace tp {
+
+/// \p Format is a SlotFormat; each slot has \p PolicyBytes more for the policy.
+template <class Format, uint32_t PolicyBytes = 0> class TreeCache {
+public:
+  using SlotFormat = Format;
+  static constexpr uint32_t SlotBytes = Format::PolicyOffset + PolicyBytes;
+  /// With fewer slots some trees could not be deleted from.
+  static constexpr uint32_t MinSlots = 3;
+
+  /// Bytes of a cache of \p Slots slots.
+  static constexpr uint32_t bytesFor(uint32_t Slots) {
+    return RootWordBytes + Slots * SlotBytes;
+  }
+  /// Slots of a cache of \p Bytes.
+  static constexpr uint32_t slotsIn(uint32_t Bytes) {
+    return Bytes < RootWordBytes ? 0 : (Bytes - RootWordBytes) / SlotBytes;
+  }
+
+  /// An empty cache of the tree \p Root in the bytesFor(\p Slots) bytes at
+  /// \p Memory, which is aligned to 4.
+  TreeCache(char *Memory, uint32_t Slots, BvhReference Root)
+      : Base(Memory + RootWordBytes), End(Slots * SlotBytes) {
+    setWord(kRootWord, Root);
+  }
+
+  /// The first slot; offsets count from here.
+  char *base() const { return Base; }
+  /// The offset behind the last slot.
+  uint32_t end() const { return End; }
+  /// The offset of the first slot that was never used; end() if there is none.
+  uint32_t firstUnused() const { return Unused; }
+  /// The first slot of the free list, which goes on through parent(), or
+  /// kNoSlot. A slot is in use, in the list, or behind firstUnused().
+  uint32_t firstFree() const { return Free; }
+
+  /// The word at an offset, for instance a link.
+  uint32_t word(uint32_t Offset) const {
+    return *reinterpret_cast<const CacheWord *>(at(Offset));
+  }
+  void setWord(uint32_t Offset, uint32_t Value) {
+    *reinterpret_cast<CacheWord *>(at(Offset)) = Value;
+  }
+
+  /// The offset of the word that names \p Slot.
+  uint32_t parent(uint32_t Slot) const {
+    return word(Slot + Format::ParentOffset);
+  }
+  /// What \p Slot was loaded from.
+  BvhReference source(uint32_t Slot) const {
+    return word(Slot + Format::SourceOffset);
+  }
+  /// The offset of the first link of what the loaded \p Link names, and how
+  /// many links there are.
+  static constexpr uint32_t firstChildWord(CacheLink Link) {
+    return linkedSlot(Link) +
+           (isLoadedLeaf(Link) ? Format::RestOffset : Format::ChildOffset);
+  }
+  static constexpr uint32_t childCount(CacheLink Link) {
+    return isLoadedLeaf(Link) ? 1 : kWideBvhWidth;
+  }
+  /// The slot that holds the word at \p Word, which is not the root word.
+  static constexpr uint32_t slotOfWord(uint32_t Word) {
+    return Word - Word % SlotBytes;
+  }
+
+  /// Whether load() would find a slot.
+  bool hasFreeSlot() const { return Free != kNoSlot || Unused != End; }
+
+  /// Copies what the link at \p Word names into a free slot, of which there
+  /// must be one, and returns the new link. The former link is \p Reference.
+  TP_KERNEL_INLINE CacheLink load(const BvhMemory &Memory, uint32_t Word,
+                                  BvhReference Reference) {
+    const uint32_t Slot = takeSlot();
+    setWord(Slot + Format::ParentOffset, Word);
+    setWord(Slot + Format::SourceOffset, Reference);
+    const bool Leaf = isLeaf(Reference);
+    const CacheLink Link = Leaf ? leafLink(Slot) : innerLink(Slot);
+    setWord(Word, Link);
+    if (Leaf)
+      copyLeaf(Memory, Reference, Slot);
+    else
+      copyWords<Format::NodeBytes / 4>(at(Slot), Memory.Nodes + Reference);
+    rayEvent(RayEvent::SlotLoadFrom, Reference);
+    rayEvent(RayEvent::SlotLoadParent, Word);
+    rayEvent(RayEvent::SlotLoadInto, Link);
+    return Link;
+  }
+
+  /// Unloads what the loaded link at \p Word names with all below it, and
+  /// returns the number of slots that this freed.
+  uint32_t unloadBranch(uint32_t Word);
+
+private:
+  static constexpr uint32_t RootWordBytes = 4;
+
+  /// Offsets are signed for the host, on which pointers have more bits.
+  char *at(uint32_t Offset) const {
+    return Base + static_cast<int32_t>(Offset);
+  }
+
+  TP_KERNEL_INLINE uint32_t takeSlot() {
+    const uint32_t Slot = Free;
+    if (Slot != kNoSlot) {
+      Free = parent(Slot);
+      return Slot;
+    }
+    Unused += SlotBytes;
+    return Unused - SlotBytes;
+  }
+
+  TP_KERNEL_INLINE void copyLeaf(const BvhMemory &Memory, BvhReference Leaf,
+                                 uint32_t Slot);
+
+  char *const Base;
+  const uint32_t End;
+  uint32_t Unused = 0;
+  uint32_t Free = kNoSlot;
+};
+
+template <class Format, uint32_t PolicyBytes>
+TP_KERNEL_INLINE void
+TreeCache<Format, PolicyBytes>::copyLeaf(const BvhMemory &Memory,
+                                         BvhReference Leaf, uint32_t Slot) {
+  constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
+  const uint32_t First = leafFirst(Leaf);
+  const uint32_t Count = leafCount(Leaf);
+  const bool HasRest = Count > PerSlot;
+  setWord(Slot + Format::RestOffset,
+          HasRest ? leafReference(First + PerSlot, Count - PerSlot) : kNoRest);
+  const TriangleRecord *Records = Memory.Triangles + First;
+  if (Count >= PerSlot)
+    copyRecords<PerSlot>(at(Slot), Records);
+  else
+    for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
+      copyRecords<1>(at(Slot + Triangle * kTriangleTestBytes),
+                     Records + Triangle);
+}
+
+template <class Format, uint32_t PolicyBytes>
+uint32_t TreeCache<Format, PolicyBytes>::unloadBranch(uint32_t Word) {
+  rayEvent(RayEvent::DeletionBegin, Word);
+  const CacheLink Top = word(Word);
+  setWord(Word, source(linkedSlot(Top)));
+  // The branch in breadth-first order, a queue through Parent, which nobody
+  // reads of a slot in it: the queue, once complete, becomes the free list's
+  // start. Queued words are links, as childCount() needs them.
+  uint32_t Count = 0;
+  CacheLink Last = Top;
+  for (CacheLink Link = Top;;) {
+    const uint32_t Child = firstChildWord(Link);
+    for (uint32_t Index = 0; Index != childCount(Link); ++Index) {
+      const CacheLink ChildLink = word(Child + Index * 4);
+      if (!isLoaded(ChildLink))
+        continue;
+      setWord(linkedSlot(Last) + Format::ParentOffset, ChildLink);
+      Last = ChildLink;
+    }
+    ++Count;
+    const uint32_t Slot = linkedSlot(Link);
+    rayEvent(RayEvent::SlotFreed, Slot);
+    if (Link == Last) {
+      setWord(Slot + Format::ParentOffset, Free);
+      break;
+    }
+    Link = parent(Slot);
+    setWord(Slot + Format::ParentOffset, linkedSlot(Link));
+  }
+  Free = linkedSlot(Top);
+  rayEvent(RayEvent::DeletionEnd, Count);
+  return Count;
+}
+
+} // namespace tp
+
+#endif // TP_KERNELS_TREECACHE_TREECACHE_H
