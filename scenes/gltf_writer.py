@@ -6,9 +6,13 @@ writing them as text with the buffer inside, or as binary GLB."""
 import base64
 import json
 import struct
+import sys
+from array import array
+from itertools import chain
 
 POINTS, LINES, TRIANGLES, STRIP, FAN = 0, 1, 4, 5, 6
 COMPONENT_TYPES = {"B": 5121, "H": 5123, "I": 5125, "f": 5126}
+WIDTHS = {"SCALAR": 1, "VEC3": 3}
 
 
 class Writer:
@@ -55,27 +59,35 @@ class Writer:
         return self.add("materials", material)
 
     def add_accessor(self, component, kind, rows):
-        """Rows of numbers, tightly packed; component is a struct letter."""
+        """Rows of numbers, or an array of all their numbers, tightly packed;
+        component is a letter of struct and array."""
+        numbers = flatten(component, rows)
+        width = WIDTHS[kind]
+        accessor = {
+            "bufferView": self.add_view(numbers),
+            "componentType": COMPONENT_TYPES[component],
+            "count": len(numbers) // width,
+            "type": kind,
+        }
+        if kind == "VEC3":
+            columns = [numbers[axis::width] for axis in range(width)]
+            accessor["min"] = [min(column) for column in columns]
+            accessor["max"] = [max(column) for column in columns]
+        return self.add("accessors", accessor)
+
+    def add_view(self, numbers):
         self.binary += b"\0" * (-len(self.binary) % 4)
-        data = b"".join(
-            struct.pack(f"<{len(row)}{component}", *row) for row in rows)
+        if sys.byteorder == "big":
+            numbers = array(numbers.typecode, numbers)
+            numbers.byteswap()
+        data = numbers.tobytes()
         view = self.add("bufferViews", {
             "buffer": 0,
             "byteOffset": len(self.binary),
             "byteLength": len(data),
         })
         self.binary += data
-        accessor = {
-            "bufferView": view,
-            "componentType": COMPONENT_TYPES[component],
-            "count": len(rows),
-            "type": kind,
-        }
-        if kind == "VEC3":
-            columns = list(zip(*rows))
-            accessor["min"] = [as_float(min(column)) for column in columns]
-            accessor["max"] = [as_float(max(column)) for column in columns]
-        return self.add("accessors", accessor)
+        return view
 
     def primitive(self, positions, material, mode=TRIANGLES, indices=None,
                   index_component="H"):
@@ -87,7 +99,7 @@ class Writer:
         }
         if indices is not None:
             result["indices"] = self.add_accessor(
-                index_component, "SCALAR", [[i] for i in indices])
+                index_component, "SCALAR", array(index_component, indices))
         return result
 
     def quads(self, quads, material):
@@ -111,7 +123,7 @@ class Writer:
         self.document["buffers"] = [{"byteLength": len(self.binary)}]
         text = json.dumps(self.document).encode()
         text += b" " * (-len(text) % 4)
-        binary = bytes(self.binary) + b"\0" * (-len(self.binary) % 4)
+        binary = self.binary + b"\0" * (-len(self.binary) % 4)
         length = 12 + 8 + len(text) + 8 + len(binary)
         with open(path, "wb") as file:
             file.write(struct.pack("<4sII", b"glTF", 2, length))
@@ -119,6 +131,8 @@ class Writer:
             file.write(struct.pack("<I4s", len(binary), b"BIN\0") + binary)
 
 
-def as_float(value):
-    """The value after rounding to single precision."""
-    return struct.unpack("<f", struct.pack("<f", value))[0]
+def flatten(component, rows):
+    """All numbers of the rows, if they are not in an array yet."""
+    if isinstance(rows, array):
+        return rows
+    return array(component, chain.from_iterable(rows))
