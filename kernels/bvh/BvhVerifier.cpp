@@ -12,27 +12,6 @@ namespace tp {
 
 namespace {
 
-/// One bit for each of some numbered things.
-class BitSet {
-public:
-  BitSet(uint32_t *Words, uint32_t Size) : Words(Words) {
-    for (uint32_t Word = 0; Word <= Size / 32; ++Word)
-      Words[Word] = 0;
-  }
-  bool contains(uint32_t Number) const {
-    return (Words[Number / 32] >> Number % 32 & 1) != 0;
-  }
-  /// False if it was there already.
-  bool insert(uint32_t Number) {
-    const bool IsNew = !contains(Number);
-    Words[Number / 32] |= 1u << Number % 32;
-    return IsNew;
-  }
-
-private:
-  uint32_t *Words;
-};
-
 /// How the walk sees the nodes of buildBvh().
 struct BinaryNodes {
   static constexpr unsigned Width = 2;
@@ -92,7 +71,8 @@ public:
        const BvhCosts &Costs, const BvhLimits &Limits)
       : Primitives(Primitives), Nodes(Nodes), Costs(Costs), Limits(Limits),
         Found(Scratch, Primitives.PrimitiveCount),
-        Reached(Scratch + Primitives.PrimitiveCount / 32 + 1, Nodes.Count) {}
+        Reached(Scratch + BitSet::wordCount(Primitives.PrimitiveCount),
+                Nodes.Count) {}
 
   BvhFindings run(BvhReference Root);
 

@@ -14,6 +14,7 @@
 
 #include "kernels/bvh/BvhBuilder.h"
 #include "kernels/bvh/WideBvh.h"
+#include "kernels/common/BitSet.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -92,7 +93,7 @@ struct BvhFindings {
 /// needs.
 constexpr uint32_t bvhVerifierWords(uint32_t PrimitiveCount,
                                     uint32_t NodeCount) {
-  return PrimitiveCount / 32 + 1 + NodeCount / 32 + 1;
+  return BitSet::wordCount(PrimitiveCount) + BitSet::wordCount(NodeCount);
 }
 
 /// Verifies what buildBvh() left in \p Storage. \p Scratch has

@@ -6,13 +6,15 @@
 
 #include "kernels/treecache/TreeCacheVerifier.h"
 
-#include "kernels/common/BitSet.h"
+#include "kernels/treecache/CacheLink.h"
 
 #include <stdio.h>
 
 namespace tp {
 
 namespace {
+
+constexpr uint32_t WordBytes = sizeof(uint32_t);
 
 uint32_t wordAt(const char *Memory, uint32_t Offset) {
   uint32_t Word;
@@ -74,12 +76,12 @@ private:
     if (Word == kRootWord)
       return fail(Rule, TreeCacheViolation::NoSlot, 0, Value, Expected);
     return fail(Rule, Word / Layout.SlotBytes,
-                Word % Layout.SlotBytes / sizeof(uint32_t), Value, Expected);
+                Word % Layout.SlotBytes / WordBytes, Value, Expected);
   }
 
   bool failAtSource(uint32_t Slot, BvhReference Loaded) {
     return fail(TreeCacheRule::SourceInMemory, Slot,
-                Layout.SourceOffset / sizeof(uint32_t), Loaded, 0);
+                Layout.SourceOffset / WordBytes, Loaded, 0);
   }
 
   const TreeCacheLayout &Layout;
@@ -100,7 +102,7 @@ uint32_t Walk::firstChildWord(uint32_t Slot) const {
 
 uint32_t Walk::lastChildWord(uint32_t Slot) const {
   const uint32_t Words = isLeaf(sourceOf(Slot)) ? 1 : kWideBvhWidth;
-  return firstChildWord(Slot) + (Words - 1) * sizeof(uint32_t);
+  return firstChildWord(Slot) + (Words - 1) * WordBytes;
 }
 
 /// Whether the offset is that of a child word of a slot that is reached.
@@ -108,7 +110,7 @@ bool Walk::isReachedChildWord(uint32_t Word) const {
   const uint32_t Slot = Word / Layout.SlotBytes;
   return Slot < State.UsedSlots && Reached.contains(Slot) &&
          Word >= firstChildWord(Slot) && Word <= lastChildWord(Slot) &&
-         Word % sizeof(uint32_t) == 0;
+         Word % WordBytes == 0;
 }
 
 /// What memory has where the child word of a verified slot stands.
@@ -117,7 +119,10 @@ uint32_t Walk::expectedAt(uint32_t Word) const {
     return Source.Root;
   const BvhReference Owner = sourceOf(Word / Layout.SlotBytes);
   if (isLeaf(Owner))
-    return restOfLeaf(Owner, Layout.LeafTriangles);
+    return leafCount(Owner) > Layout.LeafTriangles
+               ? leafReference(leafFirst(Owner) + Layout.LeafTriangles,
+                               leafCount(Owner) - Layout.LeafTriangles)
+               : kNoRest;
   return wordAt(Source.Nodes + Owner, Word % Layout.SlotBytes);
 }
 
@@ -137,7 +142,7 @@ static TreeCacheViolation verifySlots(const TreeCacheLayout &Layout,
 bool Walk::verifyFreeList() {
   uint32_t Before = kRootWord;
   uint32_t Offset = State.FreeSlot;
-  while (Offset != kNoFreeSlot) {
+  while (Offset != kNoSlot) {
     if (!isUsedSlot(Offset))
       return failAt(TreeCacheRule::FreeLink, Before, Offset, 0);
     const uint32_t Slot = Offset / Layout.SlotBytes;
@@ -157,7 +162,7 @@ bool Walk::verifyTree() {
     if (isLoaded(Value)) {
       if (!verifyLoaded(Word, Value, Expected))
         return false;
-      Word = firstChildWord(loadedOffset(Value) / Layout.SlotBytes);
+      Word = firstChildWord(linkedSlot(Value) / Layout.SlotBytes);
       continue;
     }
     if (!verifyUnloaded(Word, Value, Expected))
@@ -166,7 +171,7 @@ bool Walk::verifyTree() {
       Word = parentOf(Word / Layout.SlotBytes);
     if (Word == kRootWord)
       return true;
-    Word += sizeof(uint32_t);
+    Word += WordBytes;
   }
 }
 
@@ -180,7 +185,7 @@ bool Walk::verifyUnloaded(uint32_t Word, uint32_t Value, uint32_t Expected) {
 }
 
 bool Walk::verifyLoaded(uint32_t Word, uint32_t Value, uint32_t Expected) {
-  const uint32_t Offset = loadedOffset(Value);
+  const uint32_t Offset = linkedSlot(Value);
   if (!isUsedSlot(Offset))
     return failAt(TreeCacheRule::LoadedLink, Word, Value, Expected);
   if (Expected == kNoRest)
@@ -194,11 +199,10 @@ bool Walk::verifyLoaded(uint32_t Word, uint32_t Value, uint32_t Expected) {
     return failAt(TreeCacheRule::SlotOnce, Word, Slot, 0);
   if (parentOf(Slot) != Word)
     return fail(TreeCacheRule::ParentWord, Slot,
-                Layout.ParentOffset / sizeof(uint32_t), parentOf(Slot), Word);
+                Layout.ParentOffset / WordBytes, parentOf(Slot), Word);
   if (sourceOf(Slot) != Expected)
     return fail(TreeCacheRule::SourceWord, Slot,
-                Layout.SourceOffset / sizeof(uint32_t), sourceOf(Slot),
-                Expected);
+                Layout.SourceOffset / WordBytes, sourceOf(Slot), Expected);
   return verifyContents(Slot, Expected);
 }
 
@@ -222,8 +226,7 @@ bool Walk::verifyContents(uint32_t Slot, BvhReference Loaded) {
       Loaded / Layout.MemoryNodeBytes >= Source.NodeCount)
     return failAtSource(Slot, Loaded);
   const char *Node = Source.Nodes + Loaded;
-  const uint32_t ChildEnd =
-      Layout.ChildOffset + kWideBvhWidth * sizeof(uint32_t);
+  const uint32_t ChildEnd = Layout.ChildOffset + kWideBvhWidth * WordBytes;
   return verifyWords(TreeCacheRule::NodeWord, Slot, 0, Layout.ChildOffset,
                      Node) &&
          verifyWords(TreeCacheRule::NodeWord, Slot, ChildEnd, Layout.NodeBytes,
@@ -233,12 +236,12 @@ bool Walk::verifyContents(uint32_t Slot, BvhReference Loaded) {
 /// Compares the bytes from \p Begin to \p End of a slot with \p Memory.
 bool Walk::verifyWords(TreeCacheRule Rule, uint32_t Slot, uint32_t Begin,
                        uint32_t End, const void *Memory) {
-  for (uint32_t At = Begin; At < End; At += sizeof(uint32_t)) {
+  for (uint32_t At = Begin; At < End; At += WordBytes) {
     const uint32_t Value = word(Slot * Layout.SlotBytes + At);
     const uint32_t Expected =
         wordAt(static_cast<const char *>(Memory), At - Begin);
     if (Value != Expected)
-      return fail(Rule, Slot, At / sizeof(uint32_t), Value, Expected);
+      return fail(Rule, Slot, At / WordBytes, Value, Expected);
   }
   return true;
 }

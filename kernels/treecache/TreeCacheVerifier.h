@@ -12,6 +12,7 @@
 #ifndef TP_KERNELS_TREECACHE_TREECACHEVERIFIER_H
 #define TP_KERNELS_TREECACHE_TREECACHEVERIFIER_H
 
+#include "kernels/common/BitSet.h"
 #include "kernels/common/SceneLayout.h"
 
 #include <stddef.h>
@@ -87,7 +88,7 @@ struct TreeCacheLayout {
   uint32_t RestOffset;
 };
 
-/// A cache. Offsets are bytes from Slots.
+/// A cache. Offsets of slots and words are bytes from Slots; see CacheLink.h.
 struct TreeCacheState {
   /// At a multiple of 4.
   const char *Slots;
@@ -96,8 +97,7 @@ struct TreeCacheState {
   uint32_t SlotCount;
   /// Slots that have ever been used: the first ones.
   uint32_t UsedSlots;
-  /// The head of the free list, whose links are Parent words, or
-  /// kNoFreeSlot.
+  /// The first slot of the free list, whose links are Parent words, or kNoSlot.
   uint32_t FreeSlot;
   /// The word that names the tree's root.
   uint32_t RootWord;
@@ -143,7 +143,7 @@ struct TreeCacheViolation {
 
 /// Words of scratch memory that a verifier of a cache of so many slots needs.
 constexpr uint32_t treeCacheVerifierWords(uint32_t SlotCount) {
-  return 2 * (SlotCount / 32 + 1);
+  return 2 * BitSet::wordCount(SlotCount);
 }
 
 /// The first violation of a rule; of \p Path's rules only if \p Path is not

@@ -1,0 +1,53 @@
+//===- TreeCacheChecker.cpp - Verifies a cache as it runs -----------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/treecache/TreeCacheChecker.h"
+
+#include "tp/thread.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+namespace tp {
+
+/// Stops all threads: those that wait at a barrier, too.
+[[noreturn]] static void stop(const char *Message) {
+  fprintf(stderr, "error: tree cache: thread %u: %s\n", unsigned(threadId()),
+          Message);
+#ifdef __tp__
+  abort();
+#else
+  fflush(nullptr);
+  _Exit(1);
+#endif
+}
+
+TreeCacheChecker::TreeCacheChecker(uint32_t SlotCount)
+    : Scratch(static_cast<uint32_t *>(
+          malloc(treeCacheVerifierWords(SlotCount) * sizeof(uint32_t)))) {
+  if (!Scratch)
+    stop("no memory to verify the cache in");
+}
+
+TreeCacheChecker::~TreeCacheChecker() { free(Scratch); }
+
+void TreeCacheChecker::verifyDeletion(const TreeCacheLayout &Layout,
+                                      const TreeCacheState &State,
+                                      const TreeCacheSource &Source,
+                                      const TreeCachePath &Path) {
+  ++DeletionCount;
+  const TreeCacheViolation Found =
+      verifyTreeCache(Layout, State, Source, &Path, Scratch);
+  if (Found.isClean())
+    return;
+  char Sentence[160], Message[200];
+  describeViolation(Found, Sentence, sizeof(Sentence));
+  snprintf(Message, sizeof(Message), "after deletion %u: %s",
+           unsigned(DeletionCount), Sentence);
+  stop(Message);
+}
+
+} // namespace tp

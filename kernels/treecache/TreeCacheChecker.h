@@ -1,0 +1,70 @@
+//===- TreeCacheChecker.h - Verifies a cache as it runs ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_TREECACHE_TREECACHECHECKER_H
+#define TP_KERNELS_TREECACHE_TREECACHECHECKER_H
+
+#include "kernels/treecache/CacheLink.h"
+#include "kernels/treecache/SlotFormat.h"
+#include "kernels/treecache/TreeCacheVerifier.h"
+
+#include <stdint.h>
+
+namespace tp {
+
+/// The layout of the slots of \p Cache, a TreeCache.
+template <class Cache> constexpr TreeCacheLayout treeCacheLayout() {
+  using Format = typename Cache::SlotFormat;
+  return {
+      Cache::SlotBytes,         Format::ParentOffset,     Format::SourceOffset,
+      Format::Nodes::NodeBytes, Format::NodeBytes,        Format::ChildOffset,
+      kTriangleTestBytes,       Format::TrianglesPerSlot, Format::RestOffset};
+}
+
+/// What a TreeCache is made of.
+template <class Cache> TreeCacheState treeCacheState(const Cache &Slots) {
+  return {Slots.base(),
+          Slots.end(),
+          Slots.end() / Cache::SlotBytes,
+          Slots.firstUnused() / Cache::SlotBytes,
+          Slots.firstFree(),
+          Slots.word(kRootWord)};
+}
+
+/// What a cache of nodes of \p NodeFormat (as FullNodes) holds a part of.
+template <class NodeFormat>
+TreeCacheSource treeCacheSource(const SceneView &Scene) {
+  return {NodeFormat::nodes(Scene), Scene.Header->NodeCount, Scene.Triangles,
+          Scene.Header->TriangleCount, NodeFormat::root(Scene)};
+}
+
+/// Verifies the cache of one thread after each deletion, and ends the run with
+/// a message on stderr and status 1 if a rule is broken.
+class TreeCacheChecker {
+public:
+  /// The verifier's scratch memory comes from the heap: local store would be
+  /// missing in the cache.
+  explicit TreeCacheChecker(uint32_t SlotCount);
+  TreeCacheChecker(const TreeCacheChecker &) = delete;
+  TreeCacheChecker &operator=(const TreeCacheChecker &) = delete;
+  ~TreeCacheChecker();
+
+  /// After a deletion that left \p Path to go on.
+  void verifyDeletion(const TreeCacheLayout &Layout,
+                      const TreeCacheState &State,
+                      const TreeCacheSource &Source, const TreeCachePath &Path);
+
+  /// Deletions so far.
+  uint32_t deletionCount() const { return DeletionCount; }
+
+private:
+  uint32_t *const Scratch;
+  uint32_t DeletionCount = 0;
+};
+
+} // namespace tp
+
+#endif // TP_KERNELS_TREECACHE_TREECACHECHECKER_H
