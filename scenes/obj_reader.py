@@ -20,7 +20,8 @@ class ObjModel:
         return [t for _, triangles in self.parts for t in triangles]
 
     def add_face(self, corners):
-        """A polygon becomes a fan."""
+        """A polygon becomes a fan; one of two corners, which models have,
+        nothing."""
         numbers = []
         for corner in corners:
             number = int(corner.split("/", 1)[0])
@@ -28,8 +29,6 @@ class ObjModel:
             if number == 0 or not 0 <= index < len(self.vertices):
                 raise ValueError(f"there is no vertex {number}")
             numbers.append(index)
-        if len(numbers) < 3:
-            raise ValueError("a face has fewer than three corners")
         if not self.parts:
             self.parts.append(("", []))
         self.parts[-1][1].extend((numbers[0], numbers[i], numbers[i + 1])

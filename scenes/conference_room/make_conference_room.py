@@ -4,10 +4,10 @@
 """Writes a room like the well-known conference room: 12 office chairs, 4 tables,
 blinds, a tiled floor and a tiled ceiling with lamps; 319,924 triangles.
 
-Usage: make_conference_room.py FURNITURE conference_room.glb
+Usage: make_conference_room.py PACKAGE conference_room.glb
 
-FURNITURE is the folder share/sweethome3d/furniture of Debian's package
-sweethome3d-furniture. Chairs and tables are models by Andrew Kator and Jennifer
+PACKAGE is the folder into which Debian's package sweethome3d-furniture was
+unpacked. Chairs and tables are models by Andrew Kator and Jennifer
 Legaz under CC-BY 3.0, scaled and placed; whoever passes the scene on must
 credit them.
 """
@@ -15,36 +15,24 @@ credit them.
 import math
 import os
 import sys
-import zipfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 ".."))
 from gltf_writer import Writer
+from packages import Package, main_arguments
 
 CREDITS = ("Office chair and folding table: Andrew Kator and Jennifer Legaz, "
            "CC-BY 3.0 (https://creativecommons.org/licenses/by/3.0/), scaled "
            "and placed by the TP project")
+CATALOG = "usr/share/sweethome3d/furniture/KatorLegaz.sh3f"
+CHAIR = "katorlegaz/office-chair/office-chair.obj"
+TABLE = "katorlegaz/folding-table/folding-table.obj"
 TRIANGLES = 319924
 # Half the room's length and width, and its height, in metres.
 HALF_LENGTH, HEIGHT, HALF_WIDTH = 6, 3, 4
 TILE = 0.12
 TILES_ALONG, TILES_ACROSS = 100, 66
 LAMP_EVERY = 11
-
-
-def read_obj(archive, name):
-    """The triangles of an OBJ file; faces become fans."""
-    vertices, triangles = [], []
-    for line in archive.read(name).decode("latin1").splitlines():
-        words = line.split()
-        if words[:1] == ["v"]:
-            vertices.append(tuple(map(float, words[1:4])))
-        elif words[:1] == ["f"]:
-            numbers = [int(corner.split("/")[0]) for corner in words[1:]]
-            corners = [vertices[n - 1 if n > 0 else n] for n in numbers]
-            triangles += [(corners[0], corners[i], corners[i + 1])
-                          for i in range(1, len(corners) - 1)]
-    return triangles
 
 
 def stand(triangles, height):
@@ -108,18 +96,17 @@ def tiles():
     return plain, lamps
 
 
-def furniture(folder):
+def read_triangles(package, model):
+    """The triangles of a model as three points each."""
+    obj = package.read_zipped_obj(CATALOG, model)
+    return [tuple(obj.vertices[corner] for corner in corners)
+            for corners in obj.triangles()]
+
+
+def furniture(package):
     """(chairs, tables)"""
-    try:
-        with zipfile.ZipFile(os.path.join(folder, "KatorLegaz.sh3f")) as models:
-            chair = read_obj(models, "katorlegaz/office-chair/office-chair.obj")
-            table = read_obj(models,
-                             "katorlegaz/folding-table/folding-table.obj")
-    except (OSError, KeyError, zipfile.BadZipFile) as error:
-        sys.exit(f"error: {folder}: {error}; it should be the folder "
-                 "share/sweethome3d/furniture of Debian's package "
-                 "sweethome3d-furniture")
-    chair, table = stand(chair, 1.1), stand(table, 0.75)
+    chair = stand(read_triangles(package, CHAIR), 1.1)
+    table = stand(read_triangles(package, TABLE), 0.75)
     chairs = [t for i in range(6) for z, angle in ((-1.2, 0), (1.2, math.pi))
               for t in place(chair, -4 + 1.6 * i, z, angle)]
     tables = [t for i in range(4) for t in place(table, -3.6 + 2.4 * i, 0, 0)]
@@ -127,37 +114,35 @@ def furniture(folder):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    chairs, tables = furniture(sys.argv[1])
+    folder, target = main_arguments(__doc__)
+    package = Package("sweethome3d-furniture", folder)
+    chairs, tables = furniture(package)
     plain_tiles, lamps = tiles()
     writer = Writer(CREDITS)
     count = 0
     for name, triangles, color, emission in [
-            ("chairs", chairs, (0.1, 0.1, 0.12), None),
+            ("chairs", chairs, (0.2, 0.22, 0.3), None),
             ("tables", tables, (0.5, 0.35, 0.2), None),
             ("shell", box_quads(HALF_LENGTH, HEIGHT, HALF_WIDTH),
              (0.7, 0.7, 0.65), None),
             ("blinds", blinds(), (0.6, 0.6, 0.5), None),
             ("tiles", plain_tiles, (0.6, 0.6, 0.6), None),
-            ("lamps", lamps, (0.8, 0.8, 0.8), (18, 17, 15))]:
+            ("lamps", lamps, (0.8, 0.8, 0.8), (50, 47, 42))]:
         points = [point for shape in triangles for point in shape]
         material = writer.add_material(name, color, emission)
         writer.add_root({"name": name, "mesh": writer.add("meshes", {
             "name": name,
             "primitives": [writer.primitive(points, material)]})})
         count += len(triangles)
-    if count != TRIANGLES:
-        sys.exit(f"error: {count} triangles instead of {TRIANGLES}: the "
-                 "package's models have changed")
+    package.check_count(CATALOG, count, TRIANGLES)
     camera = writer.add("cameras", {
         "type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}})
     # At one end of the room, looking along it.
     writer.add_root({"name": "camera", "camera": camera,
                      "translation": (5.6, 1.7, 0),
                      "rotation": (0, math.sqrt(0.5), 0, math.sqrt(0.5))})
-    writer.write_binary(sys.argv[2])
-    print(f"{count} triangles")
+    writer.write_binary(target)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -49,7 +49,7 @@ def main():
             "indices": writer.add_accessor("I", "SCALAR", triangles[name]),
             "material": writer.add_material(name, color),
         } for name, color in COLORS.items()]})})
-    add_studio(writer, *bounds(positions), view=(0.3, 0.12, 1), fill=1.45)
+    add_studio(writer, *bounds(positions), view=(0.3, 0.12, 1), fill=1.55)
     writer.write_binary(target)
 
 
