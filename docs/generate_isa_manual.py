@@ -126,7 +126,9 @@ class Manual:
         return sorted(found, key=place)
 
     def latency_class(self, instruction):
-        return self.records[instruction["LatencyClass"]["def"]]
+        """The latency class of an instruction; None if it takes no time."""
+        time = self.records[instruction["Time"]["def"]]
+        return time if "TPLatencyClass" in time["!superclasses"] else None
 
     def formats(self):
         groups = {}
@@ -148,32 +150,41 @@ class Manual:
             rows = []
             for instruction in self.instructions:
                 latency = self.latency_class(instruction)
-                if latency["Unit"]["def"] != unit["!name"]:
-                    continue
-                mnemonic, operands = syntax(instruction["AsmString"])
-                word = " ".join(name for name, _ in fields(instruction))
-                rows.append(
-                    (
-                        f"`{mnemonic}`",
-                        f"`{operands}`" if operands else "",
-                        self.float_operands(instruction),
-                        instruction["Action"],
-                        latency["Cycles"],
-                        f"`{word}`",
-                    )
-                )
-            text += f"\n### {unit['!name']}: {unit['Meaning']}\n\n" + table(
-                (
-                    "Instruction",
-                    "Operands",
-                    "Float registers",
-                    "Action",
-                    "Cycles",
-                    "Encoding",
-                ),
-                rows,
-            )
-        return text
+                if latency and latency["Unit"]["def"] == unit["!name"]:
+                    rows.append(self.row(instruction, latency["Cycles"]))
+            title = f"{unit['!name']}: {unit['Meaning']}"
+            text += self.instruction_table(title, rows)
+        timeless = [
+            self.row(instruction, 0)
+            for instruction in self.instructions
+            if not self.latency_class(instruction)
+        ]
+        title = "Messages to the observer of the run, without a unit"
+        return text + self.instruction_table(title, timeless)
+
+    def row(self, instruction, cycles):
+        mnemonic, operands = syntax(instruction["AsmString"])
+        word = " ".join(name for name, _ in fields(instruction))
+        return (
+            f"`{mnemonic}`",
+            f"`{operands}`" if operands else "",
+            self.float_operands(instruction),
+            instruction["Action"],
+            cycles,
+            f"`{word}`",
+        )
+
+    @staticmethod
+    def instruction_table(title, rows):
+        columns = (
+            "Instruction",
+            "Operands",
+            "Float registers",
+            "Action",
+            "Cycles",
+            "Encoding",
+        )
+        return f"\n### {title}\n\n" + table(columns, rows)
 
     @staticmethod
     def float_operands(instruction):

@@ -40,6 +40,7 @@ private:
   SDValue pure(unsigned Opcode, MVT Type);
   SDValue specialRegister(unsigned Opcode, unsigned Number);
   SDValue effect(unsigned Opcode, ArrayRef<SDValue> Operands);
+  SDValue profile(unsigned Opcode, SDValue Marker);
   SDValue atomic(unsigned Opcode);
   /// Puts words into registers that a node with \p Glue as operand reads.
   void copyToRegisters(ArrayRef<MCPhysReg> Registers, ArrayRef<SDValue> Words,
@@ -74,6 +75,18 @@ SDValue BuiltinCall::effect(unsigned Opcode, ArrayRef<SDValue> Operands) {
   SmallVector<SDValue, 4> Ops = {Chain};
   append_range(Ops, Operands);
   return DAG.getNode(Opcode, DL, MVT::Other, Ops);
+}
+
+/// A message to the observer: \p Marker, then the other arguments.
+SDValue BuiltinCall::profile(unsigned Opcode, SDValue Marker) {
+  SmallVector<SDValue, 3> Ops = {Chain, Marker};
+  append_range(Ops, Arguments.drop_front());
+  const auto &Lowering =
+      static_cast<const TPTargetLowering &>(DAG.getTargetLoweringInfo());
+  return DAG.getMemIntrinsicNode(
+      Opcode, DL, DAG.getVTList(MVT::Other), Ops, MVT::i32,
+      MachinePointerInfo(Lowering.getProfilePort()), Align(4),
+      MachineMemOperand::MOStore, LocationSize::precise(4));
 }
 
 SDValue BuiltinCall::atomic(unsigned Opcode) {
@@ -171,7 +184,9 @@ SDValue BuiltinCall::lower(TPBuiltin::ID Builtin, const Function &Callee) {
   case ID::instret_high:
     return specialRegister(TPISD::READ_COUNTER, TPSpecialRegister::instreth);
   case ID::prof:
-    return effect(TPISD::PROF, immediate(Callee));
+    return profile(TPISD::PROF, immediate(Callee));
+  case ID::profv:
+    return profile(TPISD::PROFV, immediate(Callee));
   case ID::trap_break:
     return effect(TPISD::BREAK, immediate(Callee, tp::CheckFailure::FirstCode));
   case ID::fp_check_failed:

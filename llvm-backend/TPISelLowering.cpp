@@ -17,7 +17,7 @@ using namespace llvm;
 
 TPTargetLowering::TPTargetLowering(const TargetMachine &TM,
                                    const TPSubtarget &STI)
-    : TargetLowering(TM, STI), STI(STI) {
+    : TargetLowering(TM, STI), STI(STI), ProfilePort(TM) {
   addRegisterClass(MVT::i32, &TP::GPRRegClass);
   addRegisterClass(MVT::f32, &TP::FPRRegClass);
   computeRegisterProperties(STI.getRegisterInfo());

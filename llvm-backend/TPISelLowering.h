@@ -7,6 +7,7 @@
 #ifndef TP_LLVM_BACKEND_TPISELLOWERING_H
 #define TP_LLVM_BACKEND_TPISELLOWERING_H
 
+#include "llvm-backend/TPProfilePort.h"
 #include "llvm-backend/TPSelectionDAGInfo.h"
 #include "llvm/CodeGen/TargetLowering.h"
 
@@ -17,9 +18,13 @@ class TPSubtarget;
 /// Which operations the TP has, and what becomes of the others.
 class TPTargetLowering : public TargetLowering {
   const TPSubtarget &STI;
+  TPProfilePort ProfilePort;
 
 public:
   TPTargetLowering(const TargetMachine &TM, const TPSubtarget &STI);
+
+  /// What the memory operands of profile instructions name.
+  const TPProfilePort *getProfilePort() const { return &ProfilePort; }
 
   SDValue LowerOperation(SDValue Op, SelectionDAG &DAG) const override;
 

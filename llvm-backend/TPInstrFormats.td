@@ -126,11 +126,11 @@ class TPInstructionBase<dag outs, dag ins, string asm, list<dag> pattern>
   let mayStore = 0;
 }
 
-// A machine instruction. `latencyClass` names its unit and latency; `action`
+// A machine instruction. `time` is the latency class, which names its unit and
+// latency, or NoTime; `action`
 // says in one line what it does (for the manual; the simulator has the body).
 class TPInst<bits<6> opcode, dag outs, dag ins, string mnemonic,
-             string operands, list<dag> pattern, TPLatencyClass latencyClass,
-             string action>
+             string operands, list<dag> pattern, TPTime time, string action>
     : TPInstructionBase<outs, ins,
                         mnemonic#!if(!empty(operands), "", "\t"#operands),
                         pattern> {
@@ -139,8 +139,8 @@ class TPInst<bits<6> opcode, dag outs, dag ins, string mnemonic,
   let Size = 4;
   let DecoderNamespace = "TP";
   let Inst{31-26} = opcode;
-  let SchedRW = [latencyClass];
-  TPLatencyClass LatencyClass = latencyClass;
+  let SchedRW = [time];
+  TPTime Time = time;
   string Mnemonic = mnemonic;
   string Action = action;
 }
@@ -336,10 +336,8 @@ class FormatTrap<bits<6> funct, string mnemonic, string action>
 //===----------------------------------------------------------------------===//
 
 class FormatI<bits<6> opcode, dag outs, dag ins, string mnemonic,
-              string operands, list<dag> pattern, TPLatencyClass latencyClass,
-              string action>
-    : TPInst<opcode, outs, ins, mnemonic, operands, pattern, latencyClass,
-             action> {
+              string operands, list<dag> pattern, TPTime time, string action>
+    : TPInst<opcode, outs, ins, mnemonic, operands, pattern, time, action> {
   bits<5> a = 0;
   bits<5> b = 0;
   bits<16> imm;
@@ -416,6 +414,16 @@ class FormatControlI<bits<6> opcode, string mnemonic, list<dag> pattern,
     : FormatI<opcode, (outs), (ins uimm16:$imm), mnemonic, "$imm", pattern,
               Control, action> {
   let hasSideEffects = 1;
+}
+
+// op imm, values...: a message to the observer of the run. For the code
+// generator it is a store to memory of its own (TPProfilePort), so that it stays
+// where it is but no access to other memory waits for it.
+class FormatProfile<bits<6> opcode, dag values, string mnemonic,
+                    string operands, list<dag> pattern, string action>
+    : FormatI<opcode, (outs), !con((ins uimm16:$imm), values), mnemonic,
+              operands, pattern, NoTime, action> {
+  let mayStore = 1;
 }
 
 //===----------------------------------------------------------------------===//

@@ -21,6 +21,8 @@ def SDT_TPSpecialRegister
     : SDTypeProfile<1, 1, [SDTCisVT<0, i32>, SDTCisVT<1, i32>]>;
 def SDT_TPFloatToInt : SDTypeProfile<1, 1, [SDTCisVT<0, i32>, SDTCisVT<1, f32>]>;
 def SDT_TPImmediate : SDTypeProfile<0, 1, [SDTCisVT<0, i32>]>;
+def SDT_TPImmediateAndRegister
+    : SDTypeProfile<0, 2, [SDTCisVT<0, i32>, SDTCisVT<1, i32>]>;
 def SDT_TPRegister : SDTypeProfile<0, 1, [SDTCisVT<0, i32>]>;
 def SDT_TPStreamPush
     : SDTypeProfile<1, 2, [SDTCisVT<0, i32>, SDTCisVT<1, i32>, SDTCisVT<2, i32>]>;
@@ -67,7 +69,9 @@ def TPBreak : SDNode<"TPISD::BREAK", SDT_TPImmediate,
 def TPFpCheckFailed : SDNode<"TPISD::FP_CHECK_FAILED", SDT_TPImmediate,
                              [SDNPHasChain, SDNPInGlue, SDNPSideEffect]>;
 def TPProf : SDNode<"TPISD::PROF", SDT_TPImmediate,
-                    [SDNPHasChain, SDNPSideEffect]>;
+                    [SDNPHasChain, SDNPMayStore, SDNPMemOperand]>;
+def TPProfV : SDNode<"TPISD::PROFV", SDT_TPImmediateAndRegister,
+                     [SDNPHasChain, SDNPMayStore, SDNPMemOperand]>;
 // Arguments and result are in r4..r6 and r2, by glue.
 def TPHostCall : SDNode<"TPISD::HOSTCALL", SDT_TPImmediate,
                         [SDNPHasChain, SDNPInGlue, SDNPOutGlue,
@@ -506,8 +510,14 @@ def BREAK : Break<[(TPBreak timm:$imm)]>;
 // For the code generator: the values of a failed check are in registers.
 let isCodeGenOnly = 1, Uses = [R4, R5, R6, R7, R8, R9] in
 def BREAK_FP_CHECK : Break<[(TPFpCheckFailed timm:$imm)]>;
-def PROF : FormatControlI<59, "prof", [(TPProf timm:$imm)],
-                          "profile marker imm">;
+def PROF : FormatProfile<59, (ins), "prof", "$imm", [(TPProf timm:$imm)],
+                         "profile marker imm; takes no time">;
+def PROFV : FormatProfile<61, (ins GPR:$rs), "profv", "$imm, $rs",
+                          [(TPProfV timm:$imm, (i32 GPR:$rs))],
+                          "profile marker imm with value rs; takes no time"> {
+  bits<5> rs;
+  let b = rs;
+}
 let Uses = [R4, R5, R6], Defs = [R2] in
 def HOSTCALL : FormatControlI<60, "hostcall", [(TPHostCall timm:$imm)],
     "service imm of the host: arguments in r4, r5, r6, result in r2">;

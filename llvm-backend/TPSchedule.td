@@ -38,9 +38,20 @@ def BITWISE : TPUnit<"logic, shifts, moves between registers">;
 def BRANCH : TPUnit<"branches, jumps and control">;
 def MEMORY : TPUnit<"loads, stores and atomics">;
 
+// When an instruction's result is ready, and what it takes until then.
+class TPTime : SchedWrite;
+
+// Takes nothing: no unit, no issue slot, no cycle.
+def NoTime : TPTime;
+def : WriteRes<NoTime, []> {
+  let Latency = 0;
+  let NumMicroOps = 0;
+  let SchedModel = TPSchedModel;
+}
+
 // A latency class: all instructions of one class use the same unit and have
 // their result ready `cycles` after issue. A chip file may override it.
-class TPLatencyClass<TPUnit unit, int cycles, string source> : SchedWrite {
+class TPLatencyClass<TPUnit unit, int cycles, string source> : TPTime {
   TPUnit Unit = unit;
   int Cycles = cycles;
   // Where the number comes from.

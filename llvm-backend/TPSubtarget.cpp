@@ -76,11 +76,16 @@ bool TPSubtarget::isGlobalLoad(const MachineInstr &MI) {
           }));
 }
 
-void TPSubtarget::adjustSchedDependency(SUnit *Def, int, SUnit *, int,
+void TPSubtarget::adjustSchedDependency(SUnit *Def, int, SUnit *Use, int,
                                         SDep &Dep,
                                         const TargetSchedModel *) const {
   if (Dep.getKind() != SDep::Data || !Def->isInstr())
     return;
+  // It takes the value that is in flight.
+  if (Use->isInstr() && Use->getInstr()->getOpcode() == TP::PROFV) {
+    Dep.setLatency(0);
+    return;
+  }
   const MachineInstr &MI = *Def->getInstr();
   if (MI.mayLoad() && !isGlobalLoad(MI))
     Dep.setLatency(1);

@@ -69,6 +69,10 @@ void Engine::setHostThreads(unsigned Count) {
   Implementation->setHostThreads(Count);
 }
 
+void Engine::setObserver(ProfileObserver *Observer) {
+  Implementation->setObserver(Observer);
+}
+
 void Engine::setOutput(OutputFunction Function) {
   Implementation->setOutput(std::move(Function));
 }

@@ -23,6 +23,7 @@ public:
   /// Whether the host gave memory for the local stores.
   virtual bool isMapped() const = 0;
   virtual void setHostThreads(unsigned Count) = 0;
+  virtual void setObserver(ProfileObserver *Observer) = 0;
   virtual void setOutput(OutputFunction Function) = 0;
   virtual RunResult run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
                         const ProgressFunction &Report) = 0;

@@ -199,6 +199,11 @@ public:
     ++Runner.Markers[Number];
   }
 
+  void profileValue(uint32_t Marker, uint32_t Value) {
+    if (Runner.Chip.Observer)
+      Runner.Chip.Observer->profileValue(T.Number, Marker, Value);
+  }
+
   uint32_t special(SpecialRegister Register) const {
     const ChipConfig &Chip = *Runner.Chip.Chip;
     switch (Register) {

@@ -57,7 +57,7 @@ template <class Word, Subnormals Mode> struct Handlers {
   /// The handler of an opcode; of IllegalOpcode one that traps.
   static Handler<Word> of(Opcode Op) {
     static constexpr Handler<Word> Table[] = {
-#define TP_HANDLER_OF(NAME) execute<Opcode::NAME>,
+#define TP_HANDLER_OF(NAME) handlerOf<Opcode::NAME>(),
         TP_EACH_OPCODE(TP_HANDLER_OF)
 #undef TP_HANDLER_OF
             trapAtFetch<TrapKind::IllegalInstruction>,
@@ -71,6 +71,13 @@ template <class Word, Subnormals Mode> struct Handlers {
   }
 
 private:
+  template <Opcode Op> static constexpr Handler<Word> handlerOf() {
+    if constexpr (takesTime(Op))
+      return execute<Op>;
+    else
+      return deliver<Op>;
+  }
+
   static uint32_t pcOf(const Slot<Word> *S, const TmRunner<Word> *R) {
     return R->Chip.TextBegin + uint32_t(S - R->Slots) * 4;
   }
@@ -128,6 +135,29 @@ private:
       ++S;
     }
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  /// An instruction that takes no time.
+  template <Opcode Op>
+  __attribute__((preserve_none)) static void deliver(TP_HANDLER_PARAMETERS) {
+    using Instruction = Body<Op>;
+    static_assert(!Instruction::HasDestination);
+    ReadyWord Latest = latestSource<Instruction::NumSources>(T, S);
+    if (ready::cycleOf(Latest) > Cycle && isUnknownBefore(Latest)) [[unlikely]]
+      TP_TAIL_CALL waitForData(TP_HANDLER_ARGUMENTS);
+    Instruction Run(S->Instruction, T->Registers.data());
+    ExecutionContext<Op, Mode> C(*T, *R, pcOf(S, R), Cycle,
+                                 S->Instruction.Destination, S->Result);
+    Run.run(C);
+    ++S;
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  /// Whether a value is not known yet before it is ready: those that a window's
+  /// commit makes.
+  static bool isUnknownBefore(ReadyWord Ready) {
+    return (Ready & ready::FromGlobalMemory) != 0 &&
+           latencyClassOf(ready::producerOf(Ready)) == LatencyClass::Atomic;
   }
 
   template <TrapKind Reason>

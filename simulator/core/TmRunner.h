@@ -7,6 +7,7 @@
 #ifndef TP_SIMULATOR_CORE_TMRUNNER_H
 #define TP_SIMULATOR_CORE_TMRUNNER_H
 
+#include "runtime/include/tp/profile.h"
 #include "simulator/chip/ChipConfig.h"
 #include "simulator/core/WindowLog.h"
 
@@ -21,6 +22,8 @@ namespace tp {
 struct ChipContext {
   const ChipConfig *Chip = nullptr;
   uint8_t *Global = nullptr;
+  /// Who wants the profile values, or none.
+  ProfileObserver *Observer = nullptr;
   uint32_t TextBegin = 0;
   uint32_t TextWords = 0;
   uint32_t ReadOnlyBytes = 0;

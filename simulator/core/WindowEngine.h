@@ -42,6 +42,9 @@ public:
     return Chip.LocalStoreBytes == 0 || LocalStores.data();
   }
   void setHostThreads(unsigned Count) override { HostThreads = Count; }
+  void setObserver(ProfileObserver *Observer) override {
+    Context.Observer = Observer;
+  }
   void setOutput(OutputFunction Function) override {
     Commit.setOutput(std::move(Function));
   }
@@ -142,19 +145,24 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
 template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
   uint32_t Address = Text.textBegin();
+  // Decides on the bank. Messages are as if they were not in the text.
+  uint32_t Fetches = Address / 4;
   for (const Instruction &Decoded : Text.instructions()) {
     Slot<Word> S{0, Handlers<Word, Mode>::of(Decoded.Op), Decoded, 0};
     if constexpr (FlushToZero)
       if (Text.isFloatChecked(Address))
         S.Execute = Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
-    if (Decoded.Op != IllegalOpcode) {
-      uint32_t Bank = Address / 4 % Chip.IcacheBanks;
+    bool IsMessage = Decoded.Op != IllegalOpcode && !takesTime(Decoded.Op);
+    if (Decoded.Op != IllegalOpcode && !IsMessage) {
+      uint32_t Bank = Fetches % Chip.IcacheBanks;
       S.Use = Word(Layout.use(unitOf(Decoded.Op), Bank));
       S.Result = ready::after(
           Chip.Latency[unsigned(latencyClassOf(Decoded.Op))], Decoded.Op);
     }
     Slots.push_back(S);
     Address += 4;
+    if (!IsMessage)
+      ++Fetches;
   }
   Slots.push_back({0, Handlers<Word, Mode>::endOfText(), {}, 0});
 }

@@ -21,8 +21,8 @@
 //       gives function(memory, descriptor, value), done as one access
 //   branch(offset in bytes), jump(address), link() (the next instruction's
 //   address), keepDestination() (the destination is not written after all)
-//   special(number), marker(number), barrier(), sync(), sleep(cycles),
-//   halt(status), hostCall(service, a, b, c)
+//   special(number), marker(number), profileValue(marker, value), barrier(),
+//   sync(), sleep(cycles), halt(status), hostCall(service, a, b, c)
 //   trap(kind, address)
 //
 //===----------------------------------------------------------------------===//

@@ -87,8 +87,12 @@ std::string_view specialRegisterName(SpecialRegister Register);
 /// The operands of the assembly, the written one first.
 std::span<const OperandInfo> operandsOf(Opcode Op);
 
-/// The functional unit that starts the instruction.
+/// Whether the instruction is one for the machine. If not, it takes no cycle,
+/// fetch or unit and is not counted: it is a message to who watches the run.
+constexpr bool takesTime(Opcode Op);
+/// The functional unit that starts an instruction that takes time.
 constexpr Unit unitOf(Opcode Op);
+/// The latency class of an instruction that takes time.
 constexpr LatencyClass latencyClassOf(Opcode Op);
 constexpr Unit unitOf(LatencyClass Class);
 

@@ -87,7 +87,10 @@ class Instruction:
     def __init__(self, name, record, records):
         self.name = name
         self.mnemonic = record["Mnemonic"]
-        self.latency_class = record["LatencyClass"]["def"]
+        self.latency_class = record["Time"]["def"]
+        self.takes_time = (
+            "TPLatencyClass" in records[self.latency_class]["!superclasses"]
+        )
         self.parse_encoding(record)
         outs = self.explicit(record["OutOperandList"], records)
         ins = self.explicit(record["InOperandList"], records)
@@ -178,9 +181,12 @@ def plural(name):
     return "Num" + name + ("es" if name.endswith("s") else "s")
 
 
-def switch(function, parameter, cases):
+def switch(function, parameter, cases, default=False):
+    """A function of an enumeration; with `default`, it leaves some out."""
     lines = [f"constexpr {function} {{", f"  switch ({parameter}) {{"]
     lines += [f"  case {key}:\n    return {value};" for key, value in cases]
+    if default:
+        lines.append("  default:\n    break;")
     lines += ["  }", "  __builtin_unreachable();", "}"]
     return "\n".join(lines) + "\n"
 
@@ -333,9 +339,13 @@ def main():
         + " ".join(f"X({name})" for name in names) + "\n",
     ])
     write(directory, "InstructionTraits.inc", [
+        switch("bool takesTime(Opcode Op)", "Op",
+               [(f"Opcode::{i.name}", c_bool(i.takes_time))
+                for i in instructions]),
         switch("LatencyClass latencyClassOf(Opcode Op)", "Op",
                [(f"Opcode::{i.name}", f"LatencyClass::{i.latency_class}")
-                for i in instructions]),
+                for i in instructions if i.takes_time],
+               default=True),
         switch("Unit unitOf(LatencyClass Class)", "Class",
                [(f"LatencyClass::{c}", f"Unit::{records[c]['Unit']['def']}")
                 for c in classes]),

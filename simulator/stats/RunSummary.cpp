@@ -63,7 +63,7 @@ double RunSummary::instructionsPerCycleAndTm() const {
 uint64_t RunSummary::operations(Unit U) const {
   uint64_t Sum = 0;
   for (unsigned I = 0; I != NumOpcodes; ++I)
-    if (unitOf(Opcode(I)) == U)
+    if (takesTime(Opcode(I)) && unitOf(Opcode(I)) == U)
       Sum += Stats.Executed[I];
   return Sum;
 }
