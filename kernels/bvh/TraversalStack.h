@@ -55,6 +55,9 @@ public:
     return true;
   }
 
+  /// Where the next entry goes.
+  Entry *top() const { return Top; }
+
 private:
   Entry *const Bottom;
   Entry *Top;

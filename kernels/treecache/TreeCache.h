@@ -27,8 +27,6 @@ template <class Format, uint32_t PolicyBytes = 0> class TreeCache {
 public:
   using SlotFormat = Format;
   static constexpr uint32_t SlotBytes = Format::PolicyOffset + PolicyBytes;
-  /// With fewer slots some trees could not be deleted from.
-  static constexpr uint32_t MinSlots = 3;
 
   /// Bytes of a cache of \p Slots slots.
   static constexpr uint32_t bytesFor(uint32_t Slots) {

@@ -1,0 +1,192 @@
+//===- CachedRayTracer.h - Rays through a cached BVH ------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// The baseline's traversal (kernels/bvh/BvhTraversal.h) over a tree of slots:
+// the same tests in the same order, thus the same results. Where that holds
+// references to nodes, this holds the offsets of the words that name them, and
+// looks there whether they are loaded when it is their turn. Every such word is
+// in a slot on the way from the root to the current node, which is never
+// deleted.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_TREECACHE_CACHEDRAYTRACER_H
+#define TP_KERNELS_TREECACHE_CACHEDRAYTRACER_H
+
+#include "kernels/bvh/BvhTraversal.h"
+#include "kernels/treecache/TreeCache.h"
+
+namespace tp {
+
+/// Keeps what rays visit in a cache of \p Format (a SlotFormat); \p Policy (as
+/// HighestBranch) says what is deleted when it is full.
+template <class Format, class Policy> class CachedRayTracer {
+public:
+  using Cache = TreeCache<Format, Policy::BytesPerSlot>;
+
+  /// \p Slots is an empty cache of the tree Format::Nodes::root(\p Scene);
+  /// \p Entries has room for TraversalStack::Capacity entries.
+  CachedRayTracer(const SceneView &Scene, const Cache &Slots,
+                  TraversalStack::Entry *Entries)
+      : Memory{Nodes::nodes(Scene), Scene.Triangles}, Slots(Slots),
+        Entries(Entries) {
+    rayEvent(RayEvent::CacheSlots, Slots.end() / Cache::SlotBytes);
+    rayEvent(RayEvent::CacheSlotBytes, Cache::SlotBytes);
+    rayEvent(RayEvent::CacheSlotTriangles, Format::TrianglesPerSlot);
+  }
+
+  /// The first triangle that \p R meets before \p MaxDistance.
+  TP_KERNEL_INLINE Hit findClosestHit(const Ray &R, float MaxDistance) {
+    Rules.beginRay();
+    const BoxTester Boxes(R);
+    TraversalStack Stack(Entries);
+    Hit Nearest{MaxDistance, kNoTriangle};
+    uint32_t Word = kRootWord;
+    for (;;) {
+      const CacheLink Link = enter(Word);
+      if (!isLoaded(Link)) {
+        Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
+      } else if (!isLoadedLeaf(Link)) {
+        const ChildWords Children(Link);
+        if (descendToNearest(
+                Boxes.test(Slots.base() + linkedSlot(Link), Nearest.Distance),
+                Children.Words, Stack, Word))
+          continue;
+      } else if (intersectPart(Link, R, Nearest)) {
+        Word = linkedSlot(Link) + Format::RestOffset;
+        continue;
+      }
+      if (!Stack.popNearer(Nearest.Distance, Word))
+        return Nearest;
+    }
+  }
+
+  /// Whether \p R meets any triangle before \p MaxDistance.
+  TP_KERNEL_INLINE bool isBlocked(const Ray &R, float MaxDistance) {
+    Rules.beginRay();
+    const BoxTester Boxes(R);
+    TraversalStack Stack(Entries);
+    uint32_t Word = kRootWord;
+    do {
+      const CacheLink Link = enter(Word);
+      if (!isLoaded(Link)) {
+        if (isBlockedInMemory(Link, R, Boxes, Stack.top(), MaxDistance))
+          return true;
+      } else if (!isLoadedLeaf(Link)) {
+        const ChildWords Children(Link);
+        const BoxDistances D =
+            Boxes.test(Slots.base() + linkedSlot(Link), MaxDistance);
+        for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+          Stack.pushIf(D.isHit(Child), Children.Words[Child]);
+      } else {
+        Hit Found{MaxDistance, kNoTriangle};
+        const bool HasRest = intersectPart(Link, R, Found);
+        if (Found.Triangle != kNoTriangle)
+          return true;
+        Stack.pushIf(HasRest, linkedSlot(Link) + Format::RestOffset);
+      }
+    } while (Stack.pop(Word));
+    return false;
+  }
+
+private:
+  using Nodes = typename Format::Nodes;
+  using BoxTester = typename Nodes::BoxTester;
+
+  /// The offsets of the child words of an inner node.
+  struct ChildWords {
+    TP_KERNEL_INLINE explicit ChildWords(CacheLink Link) {
+      for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+        Words[Child] = Link - kInnerTag + Format::ChildOffset + Child * 4;
+    }
+    uint32_t Words[kWideBvhWidth];
+  };
+
+  /// The link at \p Word, if possible to a slot, for a visit.
+  TP_KERNEL_INLINE CacheLink enter(uint32_t Word) {
+    CacheLink Link = Slots.word(Word);
+    if (!isLoaded(Link)) {
+      if (!Slots.hasFreeSlot() && !makeRoom(Word))
+        return Link;
+      Link = Slots.load(Memory, Word, Link);
+    }
+    rayEvent(RayEvent::SlotVisit, Link);
+    Rules.visit(Slots, Link);
+    return Link;
+  }
+
+  /// Deletes a branch so that what \p Word names can be loaded; false if the
+  /// policy has none.
+  [[gnu::noinline]] bool makeRoom(uint32_t Word) {
+    const uint32_t Branch = Rules.chooseBranch(Slots, Word);
+    if (Branch == kNoWord)
+      return false;
+    Slots.unloadBranch(Branch);
+    return true;
+  }
+
+  /// Replaces \p Found by the nearest hit that is nearer in the part of a leaf
+  /// that \p Link names; true if the leaf goes on behind it.
+  TP_KERNEL_INLINE bool intersectPart(CacheLink Link, const Ray &R,
+                                      Hit &Found) {
+    constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
+    const uint32_t Slot = linkedSlot(Link);
+    const char *Part = Slots.base() + Slot;
+    const BvhReference Leaf = Slots.source(Slot);
+    const uint32_t First = leafFirst(Leaf);
+    if (const uint32_t Count = leafCount(Leaf); Count >= PerSlot)
+      intersectTriangles<PerSlot>(Part, First, R, Found);
+    else
+      for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
+        intersectTriangles<1>(Part + Triangle * kTriangleTestBytes,
+                              First + Triangle, R, Found);
+    return Slots.word(Slot + Format::RestOffset) != kNoRest;
+  }
+
+  /// Replaces \p Found by the nearest hit that is nearer among the \p Count
+  /// triangles whose words begin at \p Words. The first one's number in the
+  /// scene is \p First.
+  template <uint32_t Count>
+  TP_KERNEL_INLINE static void intersectTriangles(const char *Words,
+                                                  uint32_t First, const Ray &R,
+                                                  Hit &Found) {
+    float Distances[Count];
+    for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
+      Distances[Triangle] =
+          intersectTriangle(*reinterpret_cast<const TriangleRecord *>(
+                                Words + Triangle * kTriangleTestBytes),
+                            R);
+    for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
+      Found.take(Distances[Triangle], First + Triangle);
+  }
+
+  // Both take copies, so that those of the caller can stay in registers.
+  [[gnu::noinline]] Hit closestHitInMemory(BvhReference Reference, Ray R,
+                                           BoxTester Boxes,
+                                           TraversalStack::Entry *Free,
+                                           Hit Found) const {
+    rayEvent(RayEvent::Bypass, Reference);
+    findClosestHitBelow<Nodes>(Memory, Reference, R, Boxes, Free, Found);
+    return Found;
+  }
+  [[gnu::noinline]] bool isBlockedInMemory(BvhReference Reference, Ray R,
+                                           BoxTester Boxes,
+                                           TraversalStack::Entry *Free,
+                                           float MaxDistance) const {
+    rayEvent(RayEvent::Bypass, Reference);
+    return isBlockedBelow<Nodes>(Memory, Reference, R, Boxes, Free,
+                                 MaxDistance);
+  }
+
+  const BvhMemory Memory;
+  Cache Slots;
+  [[no_unique_address]] Policy Rules;
+  TraversalStack::Entry *const Entries;
+};
+
+} // namespace tp
+
+#endif // TP_KERNELS_TREECACHE_CACHEDRAYTRACER_H
