@@ -7,6 +7,7 @@
 #include "kernels/common/LaunchSetup.h"
 
 #include "kernels/common/SceneLayout.h"
+#include "kernels/common/WorkShares.h"
 
 #include <algorithm>
 #include <charconv>
@@ -75,9 +76,10 @@ ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,
   Launch.Framebuffer = Memory.allocate(PixelBytes, sizeof(uint32_t));
   Launch.RayCounts =
       Memory.allocate(ThreadCount * sizeof(uint32_t), sizeof(uint32_t));
-  Launch.WorkCounter = Memory.allocate(sizeof(uint32_t), sizeof(uint32_t));
+  Launch.WorkCounters =
+      Memory.allocate(ThreadCount * sizeof(uint32_t), sizeof(uint32_t));
   if (!Launch.Scene || !Launch.Framebuffer || !Launch.RayCounts ||
-      !Launch.WorkCounter)
+      !Launch.WorkCounters)
     return Error{"the scene (" + std::to_string(Block.size()) +
                  " bytes) and the picture (" + std::to_string(PixelBytes) +
                  " bytes) do not fit in the chip's memory"};
@@ -98,20 +100,31 @@ Image readFramebuffer(const LaunchBlock &Launch, const LaunchMemory &Memory) {
   return Picture;
 }
 
+/// An array of one word per thread.
+static std::vector<uint32_t> readWords(DeviceAddress Address,
+                                       uint32_t ThreadCount,
+                                       const LaunchMemory &Memory) {
+  std::vector<uint32_t> Words(ThreadCount);
+  Memory.read(Address, Words.data(), Words.size() * sizeof(uint32_t));
+  return Words;
+}
+
 std::vector<uint32_t> readRayCounts(const LaunchBlock &Launch,
                                     uint32_t ThreadCount,
                                     const LaunchMemory &Memory) {
-  std::vector<uint32_t> Counts(ThreadCount);
-  Memory.read(Launch.RayCounts, Counts.data(),
-              Counts.size() * sizeof(uint32_t));
-  return Counts;
+  return readWords(Launch.RayCounts, ThreadCount, Memory);
 }
 
-uint32_t readPixelsTaken(const LaunchBlock &Launch,
+uint32_t readPixelsTaken(const LaunchBlock &Launch, uint32_t ThreadCount,
                          const LaunchMemory &Memory) {
+  const WorkShares Shares(Launch.Width * Launch.Height, ThreadCount);
+  const std::vector<uint32_t> Counters =
+      readWords(Launch.WorkCounters, ThreadCount, Memory);
   uint32_t Taken = 0;
-  Memory.read(Launch.WorkCounter, &Taken, sizeof(Taken));
-  return std::min(Taken, Launch.Width * Launch.Height);
+  for (uint32_t Thread = 0; Thread != ThreadCount; ++Thread)
+    // Counters run on when a range is exhausted.
+    Taken += std::min(Counters[Thread], Shares.size(Thread));
+  return Taken;
 }
 
 } // namespace tp

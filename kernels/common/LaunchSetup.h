@@ -84,9 +84,10 @@ std::vector<uint32_t> readRayCounts(const LaunchBlock &Launch,
                                     uint32_t ThreadCount,
                                     const LaunchMemory &Memory);
 
-/// Pixels that the threads have taken so far, at most all of them: how far a
-/// running kernel is.
-uint32_t readPixelsTaken(const LaunchBlock &Launch, const LaunchMemory &Memory);
+/// Pixels that \p ThreadCount threads have taken so far from their PixelQueue:
+/// how far a running kernel is.
+uint32_t readPixelsTaken(const LaunchBlock &Launch, uint32_t ThreadCount,
+                         const LaunchMemory &Memory);
 
 } // namespace tp
 

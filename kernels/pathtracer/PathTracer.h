@@ -16,10 +16,11 @@
 
 #include "kernels/bvh/Ray.h"
 #include "kernels/common/ColorEncoding.h"
+#include "kernels/common/PixelQueue.h"
 #include "kernels/common/Random.h"
 #include "kernels/common/Sampling.h"
 #include "kernels/common/SceneLayout.h"
-#include "tp/atomic.h"
+#include "tp/barrier.h"
 #include "tp/launch.h"
 #include "tp/memory.h"
 #include "tp/thread.h"
@@ -65,17 +66,17 @@ public:
                static_cast<float>(static_cast<int>(Launch.Height))) {}
 
   /// The mean radiance of a pixel's samples.
-  Vector3 renderPixel(uint32_t X, uint32_t Y, uint32_t Pixel) {
+  Vector3 renderPixel(PixelPlace Place, uint32_t Pixel) {
     Vector3 Sum;
     for (uint32_t Sample = 0; Sample != SamplesPerPixel; ++Sample)
-      Sum = Sum + tracePath(primaryRay(X, Y, Pixel, Sample), Pixel, Sample);
+      Sum = Sum + tracePath(primaryRay(Place, Pixel, Sample), Pixel, Sample);
     return Sum * (1.0f / static_cast<float>(static_cast<int>(SamplesPerPixel)));
   }
 
   uint32_t rayCount() const { return RayCount; }
 
 private:
-  Ray primaryRay(uint32_t X, uint32_t Y, uint32_t Pixel, uint32_t Sample) const;
+  Ray primaryRay(PixelPlace Place, uint32_t Pixel, uint32_t Sample) const;
   Vector3 tracePath(Ray R, uint32_t Pixel, uint32_t Sample);
   Vertex makeVertex(const Ray &R, const Hit &Found,
                     const TriangleRecord &Triangle) const;
@@ -99,12 +100,11 @@ private:
 
 /// A ray through a random point of the pixel.
 template <class RayTracer>
-inline Ray PathTracer<RayTracer>::primaryRay(uint32_t X, uint32_t Y,
-                                             uint32_t Pixel,
+inline Ray PathTracer<RayTracer>::primaryRay(PixelPlace Place, uint32_t Pixel,
                                              uint32_t Sample) const {
   const RandomWords Random = randomWords(Pixel, Sample, 0, Seed);
-  const float Column = static_cast<float>(static_cast<int>(X));
-  const float Row = static_cast<float>(static_cast<int>(Y));
+  const float Column = static_cast<float>(static_cast<int>(Place.X));
+  const float Row = static_cast<float>(static_cast<int>(Place.Y));
   const float ScreenX =
       ((Column + unitFloat(Random.X)) * PixelWidth - 1.0f) * Aspect;
   const float ScreenY = 1.0f - (Row + unitFloat(Random.Y)) * PixelHeight;
@@ -194,23 +194,19 @@ inline Vector3 PathTracer<RayTracer>::tracePath(Ray R, uint32_t Pixel,
   }
 }
 
-/// Takes pixels of the launch's picture until none is left; all threads call
-/// it. \p Rays traces rays through the launch's scene.
+/// Renders the launch's picture; all threads call it, and leave it together.
+/// \p Rays traces rays through the launch's scene.
 template <class RayTracer>
 void renderPixels(const LaunchBlock &Launch, const RayTracer &Rays) {
   PathTracer<RayTracer> Tracer(Launch, Rays);
-  uint32_t *WorkCounter = devicePointer<uint32_t>(Launch.WorkCounter);
   uint32_t *Framebuffer = devicePointer<uint32_t>(Launch.Framebuffer);
-  const uint32_t PixelCount = Launch.Width * Launch.Height;
-  for (;;) {
-    const uint32_t Pixel = atomicAdd(WorkCounter, 1);
-    if (Pixel >= PixelCount)
-      break;
-    const uint32_t Y = Pixel / Launch.Width;
-    const uint32_t X = Pixel - Y * Launch.Width;
-    Framebuffer[Pixel] = encodePixel(Tracer.renderPixel(X, Y, Pixel));
+  PixelQueue Queue(Launch);
+  for (PixelPlace Place; Queue.take(Place);) {
+    const uint32_t Pixel = Place.Y * Launch.Width + Place.X;
+    Framebuffer[Pixel] = encodePixel(Tracer.renderPixel(Place, Pixel));
   }
   devicePointer<uint32_t>(Launch.RayCounts)[threadId()] = Tracer.rayCount();
+  barrier();
 }
 
 } // namespace tp

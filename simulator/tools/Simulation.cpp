@@ -252,7 +252,8 @@ static Expected<std::unique_ptr<Setup>> setUp(const Options &Request,
 
 /// Runs the machine with a progress line.
 static RunResult runWithProgress(Engine &Machine, const Options &Request,
-                                 const Setup &Loaded, ProgressLine &Line) {
+                                 const Setup &Loaded, uint32_t Threads,
+                                 ProgressLine &Line) {
   double Pixels = double(Loaded.Block.Width) * Loaded.Block.Height;
   Machine.setHostThreads(Request.HostThreads);
   Machine.setOutput(passOn(Line));
@@ -260,7 +261,8 @@ static RunResult runWithProgress(Engine &Machine, const Options &Request,
       Request.MaxCycles, &stopOnInterrupt(), [&](const Progress &Now) {
         std::optional<double> Share;
         if (Loaded.Source)
-          Share = readPixelsTaken(Loaded.Block, Loaded.Launch) / Pixels;
+          Share =
+              readPixelsTaken(Loaded.Block, Threads, Loaded.Launch) / Pixels;
         Line.update(Now, Share);
         outs().flush();
       });
@@ -283,7 +285,8 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
     return E;
 
   ProgressLine Line(!Request.Quiet);
-  RunResult Result = runWithProgress(Machine, Request, Ready, Line);
+  RunResult Result =
+      runWithProgress(Machine, Request, Ready, Chip.threadCount(), Line);
   HostSpeed Speed{Line.seconds(), Request.HostThreads};
   Line.clear();
 

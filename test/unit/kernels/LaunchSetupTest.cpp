@@ -76,11 +76,13 @@ TEST(LaunchSetup, FillsTheLaunchBlock) {
   EXPECT_EQ(Header.TriangleCount, 38u);
   EXPECT_EQ(Header.LightCount, 2u);
 
-  const uint32_t Pixel = 0x12345678, Taken = 1000;
+  const uint32_t Pixel = 0x12345678;
+  const uint32_t Taken[5] = {0, 2, 6, 1000, 7};
   Memory.write(Launch->Framebuffer + 4 * 9, &Pixel, sizeof(Pixel));
-  Memory.write(Launch->WorkCounter, &Taken, sizeof(Taken));
+  Memory.write(Launch->WorkCounters, &Taken, sizeof(Taken));
   EXPECT_EQ(readFramebuffer(*Launch, Memory).Pixels.at(9), Pixel);
-  EXPECT_EQ(readPixelsTaken(*Launch, Memory), 32u);
+  // Five shares of 7, 7, 6, 6, 6 pixels.
+  EXPECT_EQ(readPixelsTaken(*Launch, 5, Memory), 0u + 2 + 6 + 6 + 6);
   EXPECT_EQ(readRayCounts(*Launch, 5, Memory), std::vector<uint32_t>(5, 0));
 }
 

@@ -32,7 +32,8 @@ static Rendering render(const Scene &Source, const RenderOptions &Options,
       setUpLaunch(Source, Options, Threads, Memory);
   EXPECT_TRUE(Launch) << Launch.message();
   EXPECT_EQ(runOnHost(tpKernelMain, Threads, *Launch), 0);
-  EXPECT_EQ(readPixelsTaken(*Launch, Memory), Options.Width * Options.Height);
+  EXPECT_EQ(readPixelsTaken(*Launch, Threads, Memory),
+            Options.Width * Options.Height);
   return {readFramebuffer(*Launch, Memory),
           readRayCounts(*Launch, Threads, Memory)};
 }
