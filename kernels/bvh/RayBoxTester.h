@@ -27,9 +27,9 @@ struct BoxDistances {
 class RayBoxTester {
 public:
   explicit RayBoxTester(const Ray &R)
-      : Origin(R.Origin), Inverse{inverse(R.Direction.X),
-                                  inverse(R.Direction.Y),
-                                  inverse(R.Direction.Z)},
+      : Origin(R.Origin),
+        Inverse{inverse(R.Direction.X), inverse(R.Direction.Y),
+                inverse(R.Direction.Z)},
         NearX(nearOffset(R.Direction.X)), NearY(nearOffset(R.Direction.Y)),
         NearZ(nearOffset(R.Direction.Z)), FarX(kBoundsSideBytes - NearX),
         FarY(kBoundsSideBytes - NearY), FarZ(kBoundsSideBytes - NearZ) {}
@@ -65,14 +65,16 @@ public:
     return Result;
   }
 
-private:
-  /// Finite for every direction, so that no 0 * infinity comes up.
+  /// The inverse of a direction's component, finite for every direction, so
+  /// that no 0 * infinity comes up.
   static float inverse(float Component) {
     constexpr float Tiny = 1e-18f;
     if (Component < 0.0f)
       return 1.0f / minimum(Component, -Tiny);
     return 1.0f / maximum(Component, Tiny);
   }
+
+private:
   static uint32_t nearOffset(float Component) {
     return Component < 0.0f ? kBoundsSideBytes : 0;
   }

@@ -7,6 +7,7 @@
 #include "kernels/common/SceneFlattener.h"
 
 #include "kernels/bvh/BvhBuilder.h"
+#include "kernels/bvh/QuantizedBvh.h"
 #include "kernels/bvh/WideBvh.h"
 #include "kernels/common/LightTable.h"
 #include "kernels/common/SceneLayout.h"
@@ -133,10 +134,21 @@ makeTriangles(const Scene &Source, const std::vector<uint32_t> &Order) {
   return Triangles;
 }
 
-/// Appends the tree and the triangles in its order.
+/// \p LargestCoordinate is that of all boxes and origins of rays.
+static std::vector<QuantizedBvhNode>
+quantizeNodes(const std::vector<WideBvhNode> &Nodes, float LargestCoordinate) {
+  std::vector<QuantizedBvhNode> Quantized(Nodes.size());
+  quantizeBvh({Nodes.data(), uint32_t(Nodes.size()), LargestCoordinate,
+               Quantized.data()});
+  return Quantized;
+}
+
+/// Appends the tree and the triangles in its order. \p LargestCoordinate is
+/// that of all boxes and origins of rays.
 static void appendTree(const Scene &Source,
                        const std::vector<BoundingBox> &Boxes,
-                       SceneHeader &Header, BlockWriter &Block) {
+                       float LargestCoordinate, SceneHeader &Header,
+                       BlockWriter &Block) {
   const uint32_t Count = uint32_t(Boxes.size());
   std::vector<uint32_t> Order(Count);
   std::vector<BvhNode> Nodes(Count - 1);
@@ -148,6 +160,8 @@ static void appendTree(const Scene &Source,
   WideNodes.resize(WideStorage.WideNodeCount);
   Header.NodesOffset = Block.append(WideNodes);
   Header.NodeCount = uint32_t(WideNodes.size());
+  Header.QuantizedNodesOffset =
+      Block.append(quantizeNodes(WideNodes, LargestCoordinate));
   Header.TrianglesOffset = Block.append(makeTriangles(Source, Order));
 }
 
@@ -177,11 +191,13 @@ std::vector<uint8_t> flattenScene(const Scene &Source, BvhOrigin Origin) {
   const std::vector<BoundingBox> Boxes =
       boundTriangles(Source, Largest * 0x1p-20f);
   SceneHeader Header{};
+  // A hit point errs by some 2^-22 of the largest coordinate.
+  Header.SurfaceOffset = Largest * 0x1p-16f;
   BlockWriter Block;
   if (Origin == BvhOrigin::Kernel)
     appendWorkspace(Source, Boxes, Header, Block);
   else
-    appendTree(Source, Boxes, Header, Block);
+    appendTree(Source, Boxes, Largest + Header.SurfaceOffset, Header, Block);
 
   std::vector<MaterialRecord> Materials;
   Materials.reserve(Source.Materials.size());
@@ -199,8 +215,6 @@ std::vector<uint8_t> flattenScene(const Scene &Source, BvhOrigin Origin) {
   Header.LightsOffset = Block.append(Lights.Records);
   Header.LightChoicesOffset = Block.append(Lights.Choices);
   Header.Camera = makeCamera(Source.Camera);
-  // A hit point errs by some 2^-22 of the largest coordinate.
-  Header.SurfaceOffset = Largest * 0x1p-16f;
   Header.LightScale = float(Lights.TotalArea / M_PI);
   return Block.finish(Header);
 }

@@ -73,6 +73,25 @@ constexpr uint32_t boundsOffset(uint32_t Axis) {
 inline constexpr uint32_t kBoundsSideBytes =
     kWideBvhWidth * static_cast<uint32_t>(sizeof(float));
 
+/// A WideBvhNode in half of its bytes: the boxes are rounded outwards to a grid
+/// of the node's own. After H. Ylitie, T. Karras and S. Laine, "Efficient
+/// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017.
+/// QuantizedPlanes.h decodes it. References are byte offsets from the start of
+/// the array of quantized nodes.
+struct QuantizedBvhNode {
+  /// A plane is at Origin + number * scale, for each axis.
+  float Origin[3];
+  /// The scales of the three axes: floats cut to their highest bits.
+  uint32_t Scales;
+  /// [axis][0 = lower, 1 = upper side]: the byte of a child's plane is that of
+  /// the child's number, the lowest first. A child that is missing has a box
+  /// that is upside down, which no ray hits, and is a leaf without triangles.
+  uint32_t Planes[3][2];
+  BvhReference Child[kWideBvhWidth];
+  /// Not part of the node: a shift finds it.
+  uint32_t Reserved[2];
+};
+
 /// A plane, or one row of an affine map: Direction . P + Offset.
 struct PlaneEquation {
   Vector3 Direction;
@@ -158,7 +177,10 @@ struct SceneHeader {
   /// The BvhWorkspace of a scene whose tree the kernel builds; 0 if the host
   /// has built it.
   uint32_t WorkspaceOffset;
-  uint32_t Reserved[5];
+  /// The same tree as NodeCount QuantizedBvhNodes; 0 if the kernel builds it,
+  /// which makes none.
+  uint32_t QuantizedNodesOffset;
+  uint32_t Reserved[4];
 };
 
 /// What a kernel that builds the tree finds, and where it leaves the result.
@@ -182,12 +204,13 @@ struct BvhWorkspace {
 inline constexpr uint32_t kSceneVersion = 1;
 inline constexpr uint32_t kSceneAlignment = 128;
 
-static_assert(sizeof(WideBvhNode) == 128 && sizeof(TriangleRecord) == 64 &&
-                  sizeof(LightRecord) == 64 && sizeof(MaterialRecord) == 16 &&
-                  sizeof(LightChoice) == 8 && sizeof(SceneHeader) == 128 &&
-                  sizeof(BvhWorkspace) == 32,
+static_assert(sizeof(WideBvhNode) == 128 && sizeof(QuantizedBvhNode) == 64 &&
+                  sizeof(TriangleRecord) == 64 && sizeof(LightRecord) == 64 &&
+                  sizeof(MaterialRecord) == 16 && sizeof(LightChoice) == 8 &&
+                  sizeof(SceneHeader) == 128 && sizeof(BvhWorkspace) == 32,
               "host and TP share one layout");
 static_assert(__builtin_offsetof(WideBvhNode, Child) == 96 &&
+                  __builtin_offsetof(QuantizedBvhNode, Child) == 40 &&
                   __builtin_offsetof(SceneHeader, Camera) == 48 &&
                   __builtin_offsetof(TriangleRecord, BaseColor) == 48,
               "host and TP share one layout");
@@ -196,6 +219,8 @@ static_assert(__builtin_offsetof(WideBvhNode, Child) == 96 &&
 struct SceneView {
   const SceneHeader *Header;
   const char *Nodes;
+  /// Null if there are none.
+  const char *QuantizedNodes;
   const TriangleRecord *Triangles;
   const MaterialRecord *Materials;
   const LightRecord *Lights;
@@ -204,6 +229,9 @@ struct SceneView {
   explicit SceneView(const void *Block)
       : Header(static_cast<const SceneHeader *>(Block)),
         Nodes(at<char>(Header->NodesOffset)),
+        QuantizedNodes(Header->QuantizedNodesOffset != 0
+                           ? at<char>(Header->QuantizedNodesOffset)
+                           : nullptr),
         Triangles(at<TriangleRecord>(Header->TrianglesOffset)),
         Materials(at<MaterialRecord>(Header->MaterialsOffset)),
         Lights(at<LightRecord>(Header->LightsOffset)),

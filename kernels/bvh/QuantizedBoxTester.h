@@ -1,0 +1,93 @@
+//===- QuantizedBoxTester.h - A ray and a quantized node's boxes *- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_BVH_QUANTIZEDBOXTESTER_H
+#define TP_KERNELS_BVH_QUANTIZEDBOXTESTER_H
+
+#include "kernels/bvh/QuantizedPlanes.h"
+#include "kernels/bvh/RayBoxTester.h"
+
+namespace tp {
+
+/// RayBoxTester for nodes that are QuantizedBvhNodes. A box is entered no later
+/// and left no earlier than the full one: QuantizedBvh.cpp sees to that.
+class QuantizedBoxTester {
+public:
+  explicit QuantizedBoxTester(const Ray &R)
+      : X(R.Origin.X, R.Direction.X, 0), Y(R.Origin.Y, R.Direction.Y, 1),
+        Z(R.Origin.Z, R.Direction.Z, 2) {}
+
+  /// Tests the boxes of the node whose words begin at \p Node.
+  TP_KERNEL_INLINE BoxDistances test(const char *Node,
+                                     float MaxDistance) const {
+    const auto *Quantized = reinterpret_cast<const QuantizedBvhNode *>(Node);
+    const uint32_t Scales = Quantized->Scales;
+    const Slabs SlabsX = X.load(Node, Quantized->Origin[0]);
+    const Slabs SlabsY = Y.load(Node, Quantized->Origin[1]);
+    const Slabs SlabsZ = Z.load(Node, Quantized->Origin[2]);
+    BoxDistances Result;
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+      Result.Enter[Child] = 0.0f;
+      Result.Leave[Child] = MaxDistance;
+    }
+    PlaneNumbers Decoder;
+    X.clip(SlabsX, quantizedScale(Scales, 0), Decoder, Result);
+    Y.clip(SlabsY, quantizedScale(Scales, 1), Decoder, Result);
+    Z.clip(SlabsZ, quantizedScale(Scales, 2), Decoder, Result);
+    return Result;
+  }
+
+private:
+  /// The words of one axis of a node.
+  struct Slabs {
+    float Origin;
+    uint32_t Near;
+    uint32_t Far;
+  };
+
+  /// What the tests of one axis share.
+  struct Axis {
+    float Origin;
+    float Inverse;
+    /// Of the words of planes, in bytes from a node's start.
+    uint32_t Near;
+    uint32_t Far;
+
+    Axis(float RayOrigin, float RayDirection, uint32_t Index)
+        : Origin(RayOrigin), Inverse(RayBoxTester::inverse(RayDirection)) {
+      const uint32_t Lower =
+          __builtin_offsetof(QuantizedBvhNode, Planes) + Index * 8;
+      Near = Lower + (RayDirection < 0.0f ? 4 : 0);
+      Far = Lower + (RayDirection < 0.0f ? 0 : 4);
+    }
+
+    TP_KERNEL_INLINE Slabs load(const char *Node, float NodeOrigin) const {
+      return {NodeOrigin, *reinterpret_cast<const uint32_t *>(Node + Near),
+              *reinterpret_cast<const uint32_t *>(Node + Far)};
+    }
+
+    /// Cuts the boxes' distances to what lies between the planes.
+    TP_KERNEL_INLINE void clip(const Slabs &Node, float Scale,
+                               PlaneNumbers &Decoder, BoxDistances &D) const {
+      const float Start = (Node.Origin - Origin) * Inverse;
+      const float Step = Scale * Inverse;
+      const PlaneNumbers::Numbers Near = Decoder.decode(Node.Near);
+      for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+        D.Enter[Child] = maximum(Near.Of[Child] * Step + Start, D.Enter[Child]);
+      const PlaneNumbers::Numbers Far = Decoder.decode(Node.Far);
+      for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+        D.Leave[Child] = minimum(Far.Of[Child] * Step + Start, D.Leave[Child]);
+    }
+  };
+
+  Axis X;
+  Axis Y;
+  Axis Z;
+};
+
+} // namespace tp
+
+#endif // TP_KERNELS_BVH_QUANTIZEDBOXTESTER_H
