@@ -63,7 +63,7 @@ inline uint32_t readSlotArgument(int ArgumentCount, char **Arguments,
   for (int Index = 1; Index < ArgumentCount; ++Index) {
     const char *Argument = Arguments[Index];
     constexpr char Name[] = "slots=";
-    constexpr size_t NameLength = sizeof(Name) - 1;
+    constexpr unsigned NameLength = sizeof(Name) - 1;
     const int64_t Count = __builtin_strncmp(Argument, Name, NameLength) == 0
                               ? parseCount(Argument + NameLength, Available)
                               : -1;
