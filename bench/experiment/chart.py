@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""The results as pictures, by matplotlib: each as SVG and as PNG."""
+
+from .errors import BenchError
+from .table import in_units
+
+# M. Okabe and K. Ito's colours, which the colour-blind can tell apart.
+KERNEL_COLORS = ["#E69F00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9",
+                 "#D55E00", "#999999"]
+SCENE_STYLES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"),
+                ("#CC79A7", "D"), ("#56B4E9", "v"), ("#000000", "o")]
+CYCLE_STYLES = {
+    "issued": ("#009E73", ["issued"]),
+    "memory": ("#D55E00", ["memory"]),
+    "data": ("#56B4E9", ["data"]),
+    "conflicts": ("#CC79A7", ["unit_conflict", "icache_conflict"]),
+    "barrier": ("#F0E442", ["barrier"]),
+    "other": ("#999999", ["branch", "sync", "sleep", "finished"]),
+}
+GREY = "#555555"
+# Room for the names of the scenes, beside the panels.
+LEGEND_INCHES = 1.75
+
+
+def load_pyplot():
+    """matplotlib, set up for equal files from equal data."""
+    try:
+        import matplotlib
+    except ImportError as error:
+        raise BenchError("the charts need matplotlib: apt-get install "
+                         "python3-matplotlib, and run /usr/bin/python3") \
+            from error
+    matplotlib.use("Agg")
+    matplotlib.rcParams.update({
+        "svg.hashsalt": "tp", "font.size": 10, "axes.spines.top": False,
+        "axes.spines.right": False, "axes.edgecolor": GREY,
+        "axes.titlesize": 11, "axes.titleweight": "bold",
+        "axes.titlelocation": "left", "xtick.color": GREY,
+        "ytick.color": GREY, "axes.axisbelow": True,
+        "legend.frameon": False, "figure.dpi": 100})
+    import matplotlib.pyplot
+    return matplotlib.pyplot
+
+
+def save(figure, folder, name):
+    """Writes NAME.svg and NAME.png; the path of the SVG."""
+    path = folder / f"{name}.svg"
+    figure.savefig(path, metadata={"Date": None})
+    figure.savefig(path.with_suffix(".png"), dpi=160)
+    return path
+
+
+def draw_all(results, folder):
+    """Every chart; {path of the SVG: what it shows}."""
+    pyplot = load_pyplot()
+    charts = {}
+    for name, draw, title in (
+            ("speed", draw_speed, "Rays per second of the slowest and the "
+                                  "fastest thread and of the chip"),
+            ("speed-up", draw_speed_up, "Speed-up over local store"),
+            ("cycles", draw_cycles, "Where the thread-cycles go")):
+        figure = draw(pyplot, results)
+        charts[save(figure, folder, name)] = title
+        pyplot.close(figure)
+    return charts
+
+
+def compared(results, scene, latency):
+    """The baseline, and with the largest local store each cached kernel."""
+    return [results.baseline(scene, latency),
+            *(results.find(scene, kernel, max(results.local_stores), latency)
+              for kernel in results.kernels)]
+
+
+def compared_names(results):
+    return ["baseline",
+            *(f"{kernel}, {max(results.local_stores)} KiB"
+              for kernel in results.kernels)]
+
+
+def bars(results, latency):
+    """[(position, width, number of the kernel, run)]: a scene's bars share a
+    width of 0.8 around the scene's number."""
+    pitch = 0.8 / (1 + len(results.kernels))
+    found = []
+    for index, scene in enumerate(results.scenes):
+        for kernel, run in enumerate(compared(results, scene, latency)):
+            position = index - 0.4 + (kernel + 0.5) * pitch
+            found.append((position, 0.85 * pitch, kernel, run))
+    return found
+
+
+def panels(pyplot, results, width, height, **options):
+    """One panel for each latency, side by side."""
+    count = len(results.latencies)
+    figure, grid = pyplot.subplots(1, count, figsize=(width * count, height),
+                                   squeeze=False, layout="constrained",
+                                   **options)
+    for axes, latency in zip(grid[0], results.latencies):
+        axes.set_title(f"memory latency {latency} cycles")
+    return figure, grid[0]
+
+
+def label_scenes(axes, results):
+    axes.set_xticks(range(len(results.scenes)),
+                    [scene.replace("_", "\n") for scene in results.scenes])
+    axes.tick_params(axis="x", length=0, labelcolor="black")
+
+
+def draw_speed(pyplot, results):
+    """The report's chart: a bar from the slowest to the fastest thread, as
+    though all threads were like that one, on a logarithmic axis."""
+    figure, grid = panels(pyplot, results, 6.2, 4.6, sharey=True)
+    for axes, latency in zip(grid, results.latencies):
+        for position, width, kernel, run in bars(results, latency):
+            draw_range(axes, position, width, run, KERNEL_COLORS[kernel])
+        axes.set_yscale("log")
+        label_scenes(axes, results)
+        axes.grid(axis="y", which="major", color="#cccccc")
+        axes.grid(axis="y", which="minor", color="#eeeeee")
+    lowest, highest = speed_limits(results)
+    grid[0].set_ylim(lowest / 1.3, highest * 1.8)
+    grid[0].set_ylabel("rays/s")
+    speed_legend(pyplot, figure, results)
+    return figure
+
+
+def chip_speed(run, thread):
+    """Rays/s of a chip whose threads are all like the "minimum" one, ..."""
+    found = run["figures"]
+    return found["thread_rays_per_second"][thread] * found["threads"]
+
+
+def speed_limits(results):
+    """Of all bars."""
+    runs = [run for latency in results.latencies for scene in results.scenes
+            for run in compared(results, scene, latency)]
+    return (min(chip_speed(run, "minimum") for run in runs),
+            max(chip_speed(run, "maximum") for run in runs))
+
+
+def draw_range(axes, position, width, run, color):
+    """The number above the bar is upright where bars are narrow."""
+    slowest, fastest = chip_speed(run, "minimum"), chip_speed(run, "maximum")
+    axes.bar(position, fastest - slowest, bottom=slowest, width=width,
+             color=color)
+    mean = run["figures"]["rays_per_second"]
+    half = 0.55 * width
+    axes.plot([position - half, position + half], [mean, mean], color="black",
+              linewidth=2, solid_capstyle="butt")
+    axes.annotate(in_units(mean).replace(" ", ""), (position, fastest),
+                  xytext=(0, 3), textcoords="offset points", ha="center",
+                  fontsize=8, color="black", rotation=0 if width > 0.3 else 90)
+
+
+def speed_legend(pyplot, figure, results):
+    """Above the panels."""
+    names = compared_names(results)
+    handles = [pyplot.Rectangle((0, 0), 1, 1, color=color)
+               for color in KERNEL_COLORS[:len(names)]]
+    legend_above(figure, handles, names)
+    figure.supxlabel("bar: from the slowest to the fastest thread, its rate x "
+                     "number of threads; line and number: the whole chip",
+                     fontsize=10)
+
+
+def legend_above(figure, handles, labels):
+    """Over the panels, which leave it room."""
+    columns = 3 if len(handles) < 6 else 6
+    lines = -(-len(handles) // columns)
+    room = (0.15 + 0.25 * lines) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - room))
+    figure.legend(handles, labels, loc="upper left", ncol=columns)
+
+
+def draw_speed_up(pyplot, results):
+    """Over the size of the local store, a line for each scene; a row of panels
+    for each cached kernel."""
+    kernels, latencies = results.kernels, results.latencies
+    figure, grid = pyplot.subplots(
+        len(kernels), len(latencies), squeeze=False, sharex=True, sharey=True,
+        figsize=(5.6 * len(latencies), 0.6 + 3.6 * len(kernels)),
+        layout="constrained")
+    for line, kernel in zip(grid, kernels):
+        for axes, latency in zip(line, latencies):
+            axes.set_title(f"{kernel}, latency {latency}")
+            draw_lines(axes, results, kernel, latency)
+        line[0].set_ylabel("speed-up over the baseline")
+    grid[0][0].set_ylim(0, 1.08 * max(run["speed_up"] for run in results.runs))
+    for axes in grid[-1]:
+        axes.set_xlabel("local store of each thread, KiB")
+    handles, labels = grid[0][0].get_legend_handles_labels()
+    width = figure.get_figwidth()
+    figure.get_layout_engine().set(rect=(0, 0, 1 - LEGEND_INCHES / width, 1))
+    figure.legend(handles, labels, loc="center right")
+    return figure
+
+
+def draw_lines(axes, results, kernel, latency):
+    sizes = results.local_stores
+    for index, scene in enumerate(results.scenes):
+        color, marker = SCENE_STYLES[index % len(SCENE_STYLES)]
+        runs = [results.find(scene, kernel, size, latency) for size in sizes]
+        axes.plot(sizes, [run["speed_up"] for run in runs], color=color,
+                  marker=marker, markersize=6, linewidth=1.8,
+                  markeredgecolor="white", label=scene.replace("_", " "))
+    axes.axhline(1, color="black", linewidth=1, linestyle=(0, (4, 3)))
+    axes.set_xscale("log", base=2)
+    axes.set_xticks(sizes, [str(size) for size in sizes])
+    axes.minorticks_off()
+    axes.grid(axis="y", color="#dddddd")
+
+
+def draw_cycles(pyplot, results):
+    """Where the time of the frame goes, beside the baseline's."""
+    figure, grid = panels(pyplot, results, 6.2, 4.6, sharey=True)
+    for axes, latency in zip(grid, results.latencies):
+        for position, width, _, run in bars(results, latency):
+            draw_stack(axes, position, width, run,
+                       results.baseline(run["scene"], latency))
+        label_scenes(axes, results)
+        axes.yaxis.set_major_formatter(
+            pyplot.matplotlib.ticker.PercentFormatter(1, decimals=0))
+        axes.grid(axis="y", color="#dddddd")
+    grid[0].set_ylabel("thread-cycles of the frame (baseline: 100%)")
+    handles = [pyplot.Rectangle((0, 0), 1, 1, color=color)
+               for color, _ in CYCLE_STYLES.values()]
+    legend_above(figure, handles, list(CYCLE_STYLES))
+    figure.supxlabel("from left to right: " + ", ".join(compared_names(results)),
+                     fontsize=10)
+    return figure
+
+
+def draw_stack(axes, position, width, run, baseline):
+    """A bar as high as the run is long, cut by the reasons' shares."""
+    height = run["figures"]["cycles"] / baseline["figures"]["cycles"]
+    bottom = 0
+    for color, names in CYCLE_STYLES.values():
+        part = height * sum(run["figures"]["shares"][name] for name in names)
+        axes.bar(position, part, bottom=bottom, width=width, color=color,
+                 edgecolor="white", linewidth=0.5)
+        bottom += part
