@@ -58,6 +58,9 @@ private:
   uint32_t word(uint32_t Offset) const { return wordAt(State.Slots, Offset); }
   uint32_t firstChildWord(uint32_t Slot) const;
   uint32_t lastChildWord(uint32_t Slot) const;
+  bool isRestWord(uint32_t Word) const {
+    return Word != kRootWord && isLeaf(sourceOf(Word / Layout.SlotBytes));
+  }
   bool isReachedChildWord(uint32_t Word) const;
   uint32_t expectedAt(uint32_t Word) const;
   bool isUsedSlot(uint32_t Offset) const {
@@ -178,9 +181,8 @@ bool Walk::verifyTree() {
 bool Walk::verifyUnloaded(uint32_t Word, uint32_t Value, uint32_t Expected) {
   if (Value == Expected)
     return true;
-  const bool IsRest =
-      Word != kRootWord && isLeaf(sourceOf(Word / Layout.SlotBytes));
-  return failAt(IsRest ? TreeCacheRule::LeafRest : TreeCacheRule::UnloadedLink,
+  return failAt(isRestWord(Word) ? TreeCacheRule::LeafRest
+                                 : TreeCacheRule::UnloadedLink,
                 Word, Value, Expected);
 }
 
@@ -188,7 +190,7 @@ bool Walk::verifyLoaded(uint32_t Word, uint32_t Value, uint32_t Expected) {
   const uint32_t Offset = linkedSlot(Value);
   if (!isUsedSlot(Offset))
     return failAt(TreeCacheRule::LoadedLink, Word, Value, Expected);
-  if (Expected == kNoRest)
+  if (Expected == kNoRest && isRestWord(Word))
     return failAt(TreeCacheRule::LeafRest, Word, Value, Expected);
   if (isLoadedLeaf(Value) != isLeaf(Expected))
     return failAt(TreeCacheRule::LinkKind, Word, Value, Expected);
