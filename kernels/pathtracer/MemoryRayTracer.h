@@ -42,10 +42,11 @@ private:
 };
 
 /// The baseline: renderPixels() from global memory.
-inline void renderPixelsFromMemory(const LaunchBlock &Launch) {
+template <class Format = FullNodes>
+void renderPixelsFromMemory(const LaunchBlock &Launch) {
   TraversalStack::Entry Entries[TraversalStack::Capacity];
   const SceneView Scene(devicePointer<const void>(Launch.Scene));
-  renderPixels(Launch, MemoryRayTracer<>(Scene, Entries));
+  renderPixels(Launch, MemoryRayTracer<Format>(Scene, Entries));
 }
 
 } // namespace tp

@@ -3,11 +3,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===----------------------------------------------------------------------===//
+//
+//   -DTP_NODE_FORMAT=<class>    the nodes that rays traverse: FullNodes or
+//                               QuantizedNodes (FullNodes)
+//
+//===----------------------------------------------------------------------===//
 
+#include "kernels/bvh/QuantizedNodes.h"
 #include "kernels/pathtracer/MemoryRayTracer.h"
+
+#ifndef TP_NODE_FORMAT
+#define TP_NODE_FORMAT FullNodes
+#endif
 
 int main() {
   const tp::LaunchBlock Launch = tp::launchBlock();
-  tp::renderPixelsFromMemory(Launch);
+  tp::renderPixelsFromMemory<tp::TP_NODE_FORMAT>(Launch);
   return 0;
 }
