@@ -36,6 +36,7 @@ public:
     rayEvent(RayEvent::CacheSlots, Slots.end() / Cache::SlotBytes);
     rayEvent(RayEvent::CacheSlotBytes, Cache::SlotBytes);
     rayEvent(RayEvent::CacheSlotTriangles, Format::TrianglesPerSlot);
+    rayEvent(RayEvent::CacheChildOffset, Format::ChildOffset);
   }
 
   /// The first triangle that \p R meets before \p MaxDistance.
