@@ -57,15 +57,20 @@ private:
   static constexpr uint32_t BitsOfFirst = 0x43800000;
 
 #ifdef __tp__
-  // The compiler, which knows what is constant here, would mask and combine
-  // instead.
+  // One after the other: between them the compiler would keep copies.
   TP_KERNEL_INLINE float insertByte(uint32_t Word) {
-    asm("ins %0, %1, 15, 22" : "+r"(One) : "r"(Word));
-    return __builtin_bit_cast(float, One);
+    float Number;
+    asm("ins %0, %2, 15, 22\n\tmtc1 %1, %0"
+        : "+r"(One), "=f"(Number)
+        : "r"(Word));
+    return Number;
   }
   TP_KERNEL_INLINE float insertTwoBytes(uint32_t Word) {
-    asm("ins %0, %1, 7, 22" : "+r"(Two) : "r"(Word));
-    return __builtin_bit_cast(float, Two);
+    float Number;
+    asm("ins %0, %2, 7, 22\n\tmtc1 %1, %0"
+        : "+r"(Two), "=f"(Number)
+        : "r"(Word));
+    return Number;
   }
 #else
   float insertByte(uint32_t Word) {

@@ -28,7 +28,7 @@ using BvhReference = uint32_t;
 inline constexpr uint32_t kMaxLeafTriangles = 15;
 /// So that a scene with its tree and, if all triangles shine, its lights fits
 /// in a 32-bit address space.
-inline constexpr uint32_t kMaxBvhTriangles = 1u << 24;
+inline constexpr uint32_t kMaxBvhTriangles = 15u << 20;
 /// So that a scene with the BvhWorkspace of its kernel fits there, too.
 inline constexpr uint32_t kMaxWorkspaceTriangles = 1u << 23;
 /// No vertex has a coordinate of a larger magnitude: BoundingBox::Far is

@@ -9,7 +9,8 @@
 //
 //   slots=N                     argument: use no more than N slots
 //   -DTP_CACHE_POLICY=<class>   what is deleted (HighestBranch)
-//   -DTP_CACHE_FORMAT=<class>   what a slot holds (FullSlots)
+//   -DTP_CACHE_FORMAT=<class>   what a slot holds: FullSlots or QuantizedSlots
+//                               (FullSlots)
 //   -DTP_CACHE_CHECK            verify the cache after every deletion
 //
 //===----------------------------------------------------------------------===//

@@ -19,6 +19,7 @@
 #define TP_KERNELS_TREECACHE_SLOTFORMAT_H
 
 #include "kernels/bvh/BvhTraversal.h"
+#include "kernels/bvh/QuantizedNodes.h"
 #include "kernels/common/SceneLayout.h"
 
 #include <stdint.h>
@@ -51,6 +52,8 @@ struct SlotFormat {
 
 /// Nodes with float boxes; 120 bytes without the policy's.
 using FullSlots = SlotFormat<FullNodes, 112, 2>;
+/// Nodes with quantized boxes; 64 bytes without the policy's.
+using QuantizedSlots = SlotFormat<QuantizedNodes, 56, 1>;
 
 } // namespace tp
 
