@@ -115,9 +115,8 @@ class Writer:
             "byteLength": len(self.binary),
             "uri": "data:application/octet-stream;base64," + data,
         }]
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(self.document, file, indent=1)
-            file.write("\n")
+        text = json.dumps(self.document, indent=1) + "\n"
+        write_file(path, text.encode())
 
     def write_binary(self, path):
         self.document["buffers"] = [{"byteLength": len(self.binary)}]
@@ -125,10 +124,20 @@ class Writer:
         text += b" " * (-len(text) % 4)
         binary = self.binary + b"\0" * (-len(self.binary) % 4)
         length = 12 + 8 + len(text) + 8 + len(binary)
+        write_file(
+            path,
+            struct.pack("<4sII", b"glTF", 2, length),
+            struct.pack("<I4s", len(text), b"JSON"), text,
+            struct.pack("<I4s", len(binary), b"BIN\0"), binary)
+
+
+def write_file(path, *parts):
+    try:
         with open(path, "wb") as file:
-            file.write(struct.pack("<4sII", b"glTF", 2, length))
-            file.write(struct.pack("<I4s", len(text), b"JSON") + text)
-            file.write(struct.pack("<I4s", len(binary), b"BIN\0") + binary)
+            for part in parts:
+                file.write(part)
+    except OSError as error:
+        sys.exit(f"error: cannot write {path}: {error.strerror}")
 
 
 def flatten(component, rows):

@@ -6,6 +6,7 @@ errors, and the check that a package still holds the model we know."""
 import os
 import sys
 import zipfile
+import zlib
 
 from obj_reader import ObjError, read_obj
 
@@ -43,7 +44,8 @@ class Package:
         try:
             with zipfile.ZipFile(self.path(archive)) as models:
                 text = models.read(member).decode("latin1")
-        except (OSError, KeyError, zipfile.BadZipFile) as error:
+        except (OSError, EOFError, KeyError, zipfile.BadZipFile,
+                zlib.error) as error:
             self.reject(archive, error)
         return self._parse_obj(f"{archive}: {member}", text)
 

@@ -169,7 +169,8 @@ def main():
                     MODEL, sum(meshes.kept_triangles[m] for m in placed),
                     KEPT_TRIANGLES)
                 place(writer, engine, row, column)
-    except (KeyError, IndexError, TypeError, ValueError) as error:
+    except (KeyError, IndexError, RecursionError, TypeError,
+            ValueError) as error:
         package.reject(MODEL, f"not the expected glTF ({error!r})")
     add_studio(writer, LOWER, UPPER, view=(0.3, 0.65, 1), fill=1.8)
     writer.write_binary(target)

@@ -13,6 +13,7 @@ import gzip
 import math
 import os
 import sys
+import zlib
 from array import array
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
@@ -34,7 +35,7 @@ def read_curves(package, strands):
     try:
         with gzip.open(package.path(CURVES)) as file:
             data = file.read()
-    except (OSError, EOFError) as error:
+    except (OSError, EOFError, zlib.error) as error:
         package.reject(CURVES, error)
     segments, points = array("I"), array("f")
     segment_bytes = 4 * strands * SEGMENTS
@@ -109,7 +110,11 @@ def main():
     folder, target = main_arguments(__doc__)
     package = Package("embree-tools", folder)
     points = read_curves(package, STRANDS)
-    corners, indices = prism_corners(points, STRANDS), prism_indices(STRANDS)
+    try:
+        corners = prism_corners(points, STRANDS)
+    except ZeroDivisionError:
+        package.reject(CURVES, "two neighbours on a hair are equal")
+    indices = prism_indices(STRANDS)
     package.check_count(CURVES, len(indices) // 3, TRIANGLES)
     writer = Writer(CREDITS)
     hair = writer.add_material("hair", (0.64, 0.456, 0.256))
