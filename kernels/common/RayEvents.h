@@ -18,6 +18,10 @@ enum class RayEvent : uint32_t {
 #include "kernels/common/RayEvents.def"
 };
 
+/// Values of RayEvent::RayBegin.
+inline constexpr uint32_t kClosestHitRay = 0;
+inline constexpr uint32_t kAnyHitRay = 1;
+
 /// Reports \p Event, a constant, with its value; takes no time on the chip.
 /// With TP_NO_RAY_EVENTS defined nothing is reported.
 TP_KERNEL_INLINE void rayEvent([[maybe_unused]] RayEvent Event,

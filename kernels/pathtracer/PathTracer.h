@@ -18,6 +18,7 @@
 #include "kernels/common/ColorEncoding.h"
 #include "kernels/common/PixelQueue.h"
 #include "kernels/common/Random.h"
+#include "kernels/common/RayEvents.h"
 #include "kernels/common/Sampling.h"
 #include "kernels/common/SceneLayout.h"
 #include "tp/barrier.h"
@@ -153,6 +154,7 @@ inline Vector3 PathTracer<RayTracer>::reflectLight(const Vertex &At,
   // Ends before the light itself.
   constexpr float ShadowEnd = 0.999f;
   ++RayCount;
+  rayEvent(RayEvent::RayBegin, kAnyHitRay);
   if (Rays.isBlocked(Shadow, ShadowEnd))
     return {};
   const float Geometry =
@@ -168,6 +170,7 @@ inline Vector3 PathTracer<RayTracer>::tracePath(Ray R, uint32_t Pixel,
   Vector3 Throughput = {1, 1, 1};
   for (uint32_t Depth = 1;; ++Depth) {
     ++RayCount;
+    rayEvent(RayEvent::RayBegin, kClosestHitRay);
     const Hit Found = Rays.findClosestHit(R, Farthest);
     if (Found.Triangle == kNoTriangle)
       return Radiance;
