@@ -126,7 +126,8 @@ def report(arguments):
     (arguments.folder / "table.md").write_text(table, encoding="utf-8")
     charts = draw_all(results, arguments.folder)
     if arguments.markdown:
-        fill_section(arguments.markdown, table, charts)
+        fill_section(arguments.markdown, markdown(results, is_short=True),
+                     charts)
     print(table, end="")
     wrong = problems(results)
     for problem in wrong:

@@ -51,11 +51,20 @@ class Results:
                  and local_store in (None, run["local_store"])]
         return max(found, key=lambda run: run["local_store"], default=None)
 
-    def shown(self):
-        """The runs that are rows of a table: without the baseline's proofs."""
+    def rows(self, is_short):
+        """The runs that are rows of a table: without the baseline's proofs. A
+        short table has all local stores of the first cached kernel only, of
+        the others the largest."""
         return [run for run in self.runs
-                if run["kernel"] != BASELINE
-                or run is self.baseline(run["scene"], run["latency"])]
+                if self.is_baseline_row(run) or run["kernel"] != BASELINE
+                and not (is_short and self.is_extra(run))]
+
+    def is_baseline_row(self, run):
+        return run is self.baseline(run["scene"], run["latency"])
+
+    def is_extra(self, run):
+        return (run["kernel"] != self.kernels[0]
+                and run["local_store"] != max(self.local_stores))
 
 
 def describe(configuration, run):

@@ -17,13 +17,14 @@ CYCLE_COLUMNS = {
 NONE = "–"
 
 
-def markdown(results):
-    """Every part, each under its heading."""
+def markdown(results, is_short=False):
+    """Every part, each under its heading; Results.rows() says what is short."""
+    shown = results.rows(is_short)
     return "\n".join([
         *preface(results),
         "### Speed-up over the baseline", "", *speed_up_tables(results),
-        "### Rays and cache", "", *ray_table(results),
-        "### Where the thread-cycles go", "", *cycle_table(results)]) + "\n"
+        "### Rays and cache", "", *ray_table(shown),
+        "### Where the thread-cycles go", "", *cycle_table(shown)]) + "\n"
 
 
 def preface(results):
@@ -101,13 +102,13 @@ def place(run):
 PLACE_HEADER = ["scene", "latency", "kernel", "local store, KiB"]
 
 
-def ray_table(results):
+def ray_table(runs):
     header = [*PLACE_HEADER, "rays/s", "a thread's rays/s: slowest",
               "median", "fastest", "speed-up", "nodes per ray",
               "triangles per ray", "tested from memory per ray",
               "loaded into slots per ray", "slots", "hit rate", "deletions",
               "freed by each", "image"]
-    return rows(header, [place(run) + ray_cells(run) for run in results.shown()])
+    return rows(header, [place(run) + ray_cells(run) for run in runs])
 
 
 def ray_cells(run):
@@ -133,10 +134,10 @@ def cache_cells(cache, loads_per_ray):
             f"{cache['slots_freed']:.1f}" if cache["deletions"] else NONE]
 
 
-def cycle_table(results):
+def cycle_table(runs):
     header = [*PLACE_HEADER, *CYCLE_COLUMNS, "worst unit conflict"]
     return rows(header,
-                [place(run) + cycle_cells(run) for run in results.shown()])
+                [place(run) + cycle_cells(run) for run in runs])
 
 
 def cycle_cells(run):

@@ -19,9 +19,9 @@ def cycles_of(configuration):
     return int(scene * configuration.latency / 100 / factor)
 
 
-def make_runs():
+def make_runs(kernels=(CACHED,)):
     configurations = all_configurations(
-        ["near", "far_away"], [CACHED], [2, 8], [100, 300])
+        ["near", "far_away"], kernels, [2, 8], [100, 300])
     return {c: Run(make_statistics(cycles_of(c), c.kernel.is_cached), 60.0,
                    f"image of {c.scene}", f"key of {c}")
             for c in configurations}

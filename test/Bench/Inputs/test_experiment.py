@@ -88,6 +88,28 @@ class Problems(unittest.TestCase):
                           "takes 3001 cycles, 3000 with 8 KiB"])
 
 
+class Rows(unittest.TestCase):
+    def rows(self, is_short):
+        other = Kernel("KeepTop", "QuantizedSlots")
+        results = results_of(make_runs([CACHED, other]))
+        return [(run["kernel"], run["local_store"])
+                for run in results.rows(is_short)
+                if (run["scene"], run["latency"]) == ("near", 300)]
+
+    def test_of_the_whole_table(self):
+        self.assertEqual(self.rows(is_short=False),
+                         [("baseline", 8), ("HighestBranch, FullSlots", 2),
+                          ("HighestBranch, FullSlots", 8),
+                          ("KeepTop, QuantizedSlots", 2),
+                          ("KeepTop, QuantizedSlots", 8)])
+
+    def test_of_a_short_table(self):
+        self.assertEqual(self.rows(is_short=True),
+                         [("baseline", 8), ("HighestBranch, FullSlots", 2),
+                          ("HighestBranch, FullSlots", 8),
+                          ("KeepTop, QuantizedSlots", 8)])
+
+
 class Units(unittest.TestCase):
     def test_three_digits(self):
         for value, text in ((2.2539e9, "2.25 G"), (999.6e6, "1 G"),
