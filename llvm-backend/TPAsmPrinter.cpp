@@ -10,6 +10,7 @@
 #include "llvm-backend/MCTargetDesc/TPInstPrinter.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
 #include "llvm-backend/TP.h"
+#include "llvm-backend/TPFrameRecords.h"
 #include "llvm-backend/TPMCInstLower.h"
 #include "llvm-backend/TargetInfo/TPTargetInfo.h"
 #include "llvm/BinaryFormat/ELF.h"
@@ -33,6 +34,7 @@ namespace {
 
 class TPAsmPrinter : public AsmPrinter {
   TPMCInstLower Lowering;
+  TPFrameRecords Frames;
 
 public:
   static char ID;
@@ -70,9 +72,11 @@ void TPAsmPrinter::emitInstruction(const MachineInstr *MI) {
   EmitToStreamer(*OutStreamer, Inst);
 }
 
-/// Lists a checked function for the simulator, which traps there what a chip
-/// that flushes subnormals would lose.
+/// Notes the function's frame for the linker, and lists a checked function for
+/// the simulator, which traps there what a chip that flushes subnormals would
+/// lose.
 void TPAsmPrinter::emitFunctionBodyEnd() {
+  Frames.add(*MF, CurrentFnSym);
   if (!MF->getFunction().hasFnAttribute(CheckedFunctionAttribute))
     return;
   MCSymbol *End = createTempSymbol("checked_end");
@@ -85,8 +89,10 @@ void TPAsmPrinter::emitFunctionBodyEnd() {
   OutStreamer->popSection();
 }
 
-/// Tells the linker what the unit assumes of infinities.
+/// Tells the linker what the functions take from the stack, and what the unit
+/// assumes of infinities.
 void TPAsmPrinter::emitEndOfAsmFile(Module &M) {
+  Frames.emit(*OutStreamer);
   SmallVector<FloatingPointUnit> Units = floatingPointUnits(M);
   if (Units.empty())
     return;

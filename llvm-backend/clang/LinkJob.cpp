@@ -6,6 +6,7 @@
 
 #include "llvm-backend/clang/LinkJob.h"
 #include "llvm-backend/clang/FrontendJob.h"
+#include "runtime/include/tp/memory_map.h"
 #include "clang/Driver/InputInfo.h"
 #include "clang/Options/Options.h"
 #include "llvm/Option/ArgList.h"
@@ -75,6 +76,7 @@ private:
   void refuse(ArrayRef<OptSpecifier> Kinds, const char *Reason);
   void readOption(const Arg &Argument);
   void readLinkerWords(ArrayRef<const char *> Words);
+  void readKeyword(StringRef Keyword);
   void addLibrary(StringRef Name);
 
   const ArgList &Arguments;
@@ -124,6 +126,8 @@ void LinkPlan::readOption(const Arg &Argument) {
   const Option &Kind = Argument.getOption();
   if (Kind.matches(OPT_l))
     addLibrary(Argument.getValue());
+  else if (Kind.matches(OPT_z))
+    readKeyword(Argument.getValue());
   else if (Kind.matches(OPT_Wl_COMMA) || Kind.matches(OPT_Xlinker))
     readLinkerWords(Argument.getValues());
 }
@@ -161,10 +165,28 @@ void LinkPlan::readLinkerWords(ArrayRef<const char *> Words) {
       Options.KeptSymbols.push_back(Value);
     else if (Matches({"-Map", "--Map"}, Value))
       Options.MapPath = Value;
+    else if (Word == "-z" && I + 1 < Words.size())
+      readKeyword(Words[++I]);
     else if (Word != "--start-group" && Word != "--end-group")
       Diags.error("unknown linker option '" + Word +
                   "'; tpcc --help lists them");
   }
+}
+
+void LinkPlan::readKeyword(StringRef Keyword) {
+  StringRef Value = Keyword;
+  if (!Value.consume_front("stack-size=")) {
+    Diags.error("unknown linker option '-z " + Keyword +
+                "'; there is -z stack-size=<bytes>");
+    return;
+  }
+  uint32_t Bytes;
+  if (Value.getAsInteger(0, Bytes) || Bytes > kLocalStoreBytesMax) {
+    Diags.error("'-z " + Keyword + "' is not a number of bytes from 0 to " +
+                Twine(kLocalStoreBytesMax));
+    return;
+  }
+  Options.StackBytes = Bytes;
 }
 
 void LinkPlan::addLibrary(StringRef Name) {

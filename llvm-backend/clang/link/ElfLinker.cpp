@@ -9,6 +9,7 @@
 #include "llvm-backend/clang/link/LinkerSymbols.h"
 #include "llvm-backend/clang/link/LiveSections.h"
 #include "llvm-backend/clang/link/MapFile.h"
+#include "llvm-backend/clang/link/ProgramStack.h"
 
 using namespace llvm;
 
@@ -52,7 +53,9 @@ SmallVector<uint8_t, 0> linkElf(ArrayRef<MemoryBufferRef> Inputs,
   Layout Program = layOut(Objects, Diags);
   if (Diags.hasErrors())
     return {};
-  defineLinkerSymbols(Program, Globals);
+  const ProgramStack Stack =
+      determineStack(Objects, Globals, *Entry, Options, Diags);
+  defineLinkerSymbols(Program, Stack.Bytes, Globals);
   reportUndefinedSymbols(Objects, Options.Hint, Diags);
   if (Diags.hasErrors())
     return {};
@@ -62,7 +65,8 @@ SmallVector<uint8_t, 0> linkElf(ArrayRef<MemoryBufferRef> Inputs,
   if (Diags.hasErrors())
     return {};
   if (!Options.MapPath.empty())
-    writeMapFile(Options.MapPath, Program, Objects, Globals, Diags);
+    writeMapFile(Options.MapPath, Program, Stack.Bound, Objects, Globals,
+                 Diags);
   return File;
 }
 

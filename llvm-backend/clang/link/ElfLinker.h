@@ -11,6 +11,7 @@
 #include "llvm-backend/clang/link/Relocations.h"
 #include "llvm/Support/MemoryBufferRef.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct ElfLinkOptions {
   /// Symbols that are kept, if defined, though nothing refers to them.
   std::vector<std::string> Roots;
   bool CollectGarbage = true;
+  /// Bytes that the stack of a thread may take, whatever the calls say.
+  std::optional<uint32_t> StackBytes;
   /// Where to describe the layout; empty for nowhere.
   std::string MapPath;
   ReferenceHint Hint;

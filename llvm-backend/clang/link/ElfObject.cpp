@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/MCTargetDesc/TPELF.h"
+#include "llvm-backend/MCTargetDesc/TPFrameRecord.h"
 #include "llvm-backend/clang/link/ElfInput.h"
 #include "llvm-backend/clang/link/Layout.h"
 #include "llvm/ADT/StringExtras.h"
@@ -97,9 +98,10 @@ Error ElfObject::readGroup(const File &Elf, const ElfType::Shdr &Header,
   return Error::success();
 }
 
-// Sections that the linker takes into the program's image or debug data.
-static bool isContent(const ElfType::Shdr &Header) {
-  if (Header.sh_flags & SHF_EXCLUDE)
+// Sections that the linker takes into the program's image or debug data, or
+// reads itself.
+static bool isContent(const ElfType::Shdr &Header, StringRef Name) {
+  if ((Header.sh_flags & SHF_EXCLUDE) && Name != TPFrameRecord::SectionName)
     return false;
   switch (Header.sh_type) {
   case SHT_PROGBITS:
@@ -129,7 +131,7 @@ Error ElfObject::readSections(const File &Elf, StringSet<> &ComdatGroups) {
     auto SectionName = Elf.getSectionName(Header);
     if (!SectionName)
       return SectionName.takeError();
-    if (Dropped[Number] || !isContent(Header) ||
+    if (Dropped[Number] || !isContent(Header, *SectionName) ||
         *SectionName == ".note.GNU-stack")
       continue;
     auto Section = std::make_unique<InputSection>();

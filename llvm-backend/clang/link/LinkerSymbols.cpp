@@ -6,6 +6,7 @@
 
 #include "llvm-backend/clang/link/LinkerSymbols.h"
 #include "llvm-backend/clang/link/MemoryMap.h"
+#include "llvm-backend/clang/link/ProgramStack.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/MathExtras.h"
 
@@ -41,10 +42,11 @@ static void defineBounds(const Layout &Program, SymbolTable &Globals,
   defineIfNamed(Globals, EndName.str(), End);
 }
 
-void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals) {
+void defineLinkerSymbols(const Layout &Program,
+                         std::optional<uint32_t> StackBytes,
+                         SymbolTable &Globals) {
   const auto StackTop = static_cast<uint32_t>(
       alignDown(Program.ThreadLocalBegin, memorymap::StackAlignment));
-  constexpr uint32_t StackBytes = 1024;
   struct {
     const char *Name;
     uint32_t Value;
@@ -53,8 +55,6 @@ void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals) {
       {"__tp_tls_begin", Program.ThreadLocalBegin},
       {"__tp_tls_end", memorymap::ThreadLocalEnd},
       {"__tp_stack_top", StackTop},
-      {"__tp_stack_bytes", StackBytes},
-      {"__tp_stack_limit", StackTop - StackBytes},
       {"__tp_tdata_image", Program.ThreadLocalDataImage
                                ? Program.ThreadLocalDataImage
                                : Program.ImageEnd},
@@ -63,6 +63,10 @@ void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals) {
   };
   for (const auto &Entry : Always)
     defineAbsolute(Globals.get(Entry.Name), Entry.Value);
+  if (StackBytes) {
+    defineAbsolute(Globals.get(StackBytesSymbol), *StackBytes);
+    defineAbsolute(Globals.get(StackLimitSymbol), StackTop - *StackBytes);
+  }
 
   defineBounds(Program, Globals, ".preinit_array", "__preinit_array_start",
                "__preinit_array_end");

@@ -9,11 +9,16 @@
 
 #include "llvm-backend/clang/link/Layout.h"
 
+#include <optional>
+
 namespace tp {
 
 /// Defines the linker's symbols (listed in docs/tpcc.md) that no object
-/// defines: those of the TP always, others where an object refers to them.
-void defineLinkerSymbols(const Layout &Program, SymbolTable &Globals);
+/// defines: those of the TP always, those of the stack's bound if there are
+/// \p StackBytes, others where an object refers to them.
+void defineLinkerSymbols(const Layout &Program,
+                         std::optional<uint32_t> StackBytes,
+                         SymbolTable &Globals);
 
 } // namespace tp
 

@@ -84,7 +84,7 @@ void markLiveSections(ArrayRef<std::unique_ptr<ElfObject>> Objects,
   for (const auto &Object : Objects)
     for (const auto &Section : Object->sections())
       if (Section && !Section->isAllocated())
-        Section->Live = true;
+        Section->Live = !(Section->Flags & SHF_EXCLUDE);
 }
 
 } // namespace tp

@@ -36,7 +36,23 @@ symbolsBySection(ArrayRef<std::unique_ptr<ElfObject>> Objects,
   return BySection;
 }
 
+static void writeStack(raw_ostream &Stream, const StackBound &Stack) {
+  if (!Stack.Bytes) {
+    Stream << "\nThe stack of a thread has no bound:\n" << Stack.Reason << '\n';
+    return;
+  }
+  Stream << "\nThe stack of a thread takes at most " << *Stack.Bytes
+         << " bytes:\n   total    frame function\n";
+  uint32_t Total = 0;
+  for (const StackBound::Step &Step : Stack.DeepestChain) {
+    Total += Step.FrameBytes;
+    Stream << format("%8u %8u ", Total, Step.FrameBytes) << Step.Function
+           << '\n';
+  }
+}
+
 void writeMapFile(StringRef Path, const Layout &Program,
+                  const StackBound &Stack,
                   ArrayRef<std::unique_ptr<ElfObject>> Objects,
                   const SymbolTable &Globals, LinkDiagnostics &Diags) {
   std::error_code Failure;
@@ -60,6 +76,7 @@ void writeMapFile(StringRef Path, const Layout &Program,
                   Contained->Name);
     }
   }
+  writeStack(Stream, Stack);
 }
 
 } // namespace tp

@@ -111,6 +111,7 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
   ElfOptions.Roots.push_back(LaunchBlockSymbol);
   ElfOptions.CollectGarbage = Options.CollectGarbage;
   ElfOptions.MapPath = Options.MapPath;
+  ElfOptions.StackBytes = Options.StackBytes;
   ElfOptions.Hint = [&](StringRef Symbol, StringRef Function) {
     return Program.referenceTo(Symbol, Function);
   };

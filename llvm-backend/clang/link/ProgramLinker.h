@@ -14,6 +14,7 @@
 #include "llvm/Support/MemoryBuffer.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct LinkOptions {
   /// Symbols that are kept though nothing refers to them.
   std::vector<std::string> KeptSymbols;
   std::string MapPath;
+  /// Bytes that the stack of a thread may take; the linker finds out if not
+  /// given.
+  std::optional<uint32_t> StackBytes;
   bool CollectGarbage = true;
   /// Whether debug data describes the runtime's variables and types, and not
   /// only its lines.
