@@ -345,7 +345,7 @@ TEST_F(TreeCacheVerifier, FindsPathsThatWereUnloaded) {
 namespace {
 
 template <class Format> class EveryBit : public testing::Test {};
-using Formats = testing::Types<FullSlots>;
+using Formats = testing::Types<FullSlots, QuantizedSlots>;
 
 /// Whether some rule is about the word at \p Offset of \p Slot.
 template <class Format>

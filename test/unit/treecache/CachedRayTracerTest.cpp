@@ -1,0 +1,172 @@
+//===- CachedRayTracerTest.cpp - Cached rays against plain ones -----------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// Random rays through random trees with caches of every size: each finds what
+// the traversal from memory finds, and after every single operation the cache
+// keeps every rule of its verifier. CachedRayTracer verifies the deletions
+// itself (TP_CACHE_CHECK), the path included.
+//
+//===----------------------------------------------------------------------===//
+
+#include "kernels/treecache/CachedRayTracer.h"
+
+#include "LoadedCache.h"
+#include "kernels/pathtracer/MemoryRayTracer.h"
+#include "kernels/treecache/HighestBranch.h"
+#include "kernels/treecache/KeepTop.h"
+
+#include <gtest/gtest.h>
+#include <type_traits>
+
+using namespace tp;
+
+namespace {
+
+/// What the policies of one test know.
+struct Witness {
+  TreeCacheSource Source{};
+  std::vector<uint32_t> Scratch;
+  uint64_t Visits = 0;
+  uint64_t Deletions = 0;
+
+  template <class Cache> void verify(const Cache &Slots) {
+    const TreeCacheState State = treeCacheState(Slots);
+    Scratch.resize(treeCacheVerifierWords(State.SlotCount));
+    const TreeCacheViolation Found = verifyTreeCache(
+        treeCacheLayout<Cache>(), State, Source, nullptr, Scratch.data());
+    ASSERT_TRUE(Found.isClean()) << describe(Found);
+  }
+};
+Witness *CurrentWitness = nullptr;
+
+/// How many slots are above the word, which is in the tree.
+template <class Cache> uint32_t depthOf(const Cache &Slots, uint32_t Word) {
+  uint32_t Depth = 0;
+  for (; Word != kRootWord; Word = Slots.parent(Slots.slotOfWord(Word)))
+    ++Depth;
+  return Depth;
+}
+
+/// Whether the way from the root to \p Word passes \p Other, or ends there.
+template <class Cache>
+bool passes(const Cache &Slots, uint32_t Word, uint32_t Other) {
+  while (Word != Other && Word != kRootWord)
+    Word = Slots.parent(Slots.slotOfWord(Word));
+  return Word == Other;
+}
+
+/// The depth of the highest branch of a full cache beside the way to \p Word,
+/// or that of kNoWord.
+template <class Cache>
+uint32_t depthOfHighest(const Cache &Slots, uint32_t Word) {
+  uint32_t Least = kNoWord;
+  for (uint32_t Slot = 0; Slot != Slots.end(); Slot += Cache::SlotBytes) {
+    const uint32_t Branch = Slots.parent(Slot);
+    if (!passes(Slots, Word, Branch))
+      Least = std::min(Least, depthOf(Slots, Branch));
+  }
+  return Least;
+}
+
+/// \p Policy, with a look at the cache at each visit and choice.
+template <class Policy> class Watched : public Policy {
+public:
+  template <class Cache> void visit(Cache &Slots, CacheLink Link) {
+    Policy::visit(Slots, Link);
+    ++CurrentWitness->Visits;
+    CurrentWitness->verify(Slots);
+  }
+  template <class Cache> uint32_t chooseBranch(Cache &Slots, uint32_t Word) {
+    EXPECT_FALSE(Slots.hasFreeSlot()) << "a deletion in a cache with room";
+    CurrentWitness->verify(Slots);
+    const uint32_t Branch = Policy::chooseBranch(Slots, Word);
+    CurrentWitness->Deletions += Branch != kNoWord;
+    if (std::is_same_v<Policy, HighestBranch>)
+      EXPECT_EQ(depthOfHighest(Slots, Word),
+                Branch == kNoWord ? kNoWord : depthOf(Slots, Branch));
+    return Branch;
+  }
+};
+
+template <class FormatType, class PolicyType> struct Variant {
+  using Format = FormatType;
+  using Policy = PolicyType;
+};
+
+template <class VariantType> class CachedRays : public testing::Test {
+protected:
+  using Format = typename VariantType::Format;
+  using Tracer = CachedRayTracer<Format, Watched<typename VariantType::Policy>>;
+  using Cache = typename Tracer::Cache;
+
+  /// Traces rays through \p Tree with a cache of so many slots.
+  void compare(const RandomTree &Tree, uint32_t SlotCount, uint32_t RayCount,
+               uint32_t Seed);
+
+  Witness Seen;
+};
+
+using Variants = testing::Types<
+    Variant<FullSlots, HighestBranch>, Variant<FullSlots, KeepTop>,
+    Variant<QuantizedSlots, HighestBranch>, Variant<QuantizedSlots, KeepTop>>;
+TYPED_TEST_SUITE(CachedRays, Variants);
+
+} // namespace
+
+template <class VariantType>
+void CachedRays<VariantType>::compare(const RandomTree &Tree,
+                                      uint32_t SlotCount, uint32_t RayCount,
+                                      uint32_t Seed) {
+  const SceneView View = Tree.view();
+  Seen.Source = treeCacheSource<typename Format::Nodes>(View);
+  CurrentWitness = &Seen;
+  TraversalStack::Entry Entries[TraversalStack::Capacity];
+  TraversalStack::Entry CachedEntries[TraversalStack::Capacity];
+  std::vector<uint32_t> Memory(Cache::bytesFor(SlotCount) / sizeof(uint32_t));
+  MemoryRayTracer<typename Format::Nodes> Plain(View, Entries);
+  Tracer Cached(View,
+                Cache(reinterpret_cast<char *>(Memory.data()), SlotCount,
+                      Format::Nodes::root(View)),
+                CachedEntries);
+  RandomRays Rays(Seed);
+  for (uint32_t Number = 0; Number != RayCount; ++Number) {
+    const Ray R = Rays.next();
+    const float MaxDistance = Rays.once(3) ? 1e30f : Rays.number(0, 30);
+    if (Rays.once(2)) {
+      EXPECT_EQ(Plain.isBlocked(R, MaxDistance),
+                Cached.isBlocked(R, MaxDistance));
+      continue;
+    }
+    const Hit Expected = Plain.findClosestHit(R, MaxDistance);
+    const Hit Found = Cached.findClosestHit(R, MaxDistance);
+    EXPECT_EQ(Expected.Triangle, Found.Triangle);
+    EXPECT_EQ(Expected.Distance, Found.Distance);
+  }
+}
+
+TYPED_TEST(CachedRays, FindWhatPlainRaysFind) {
+  struct Case {
+    TreeShape Shape;
+    uint32_t Triangles;
+  };
+  const Case Cases[] = {{TreeShape::Built, 1},  {TreeShape::Built, 300},
+                        {TreeShape::Mixed, 2},  {TreeShape::Mixed, 90},
+                        {TreeShape::Chain, 50}, {TreeShape::LongLeaves, 100},
+                        {TreeShape::Leaf, 1},   {TreeShape::Leaf, 15},
+                        {TreeShape::Empty, 1}};
+  uint32_t Seed = 0;
+  for (const Case &Of : Cases)
+    for (uint32_t Slots : {0u, 3u, 4u, 5u, 6u, 8u, 13u, 16u, 30u, 300u}) {
+      const RandomTree Tree(Of.Shape, Of.Triangles, ++Seed);
+      this->compare(Tree, Slots, 200, Seed);
+      ASSERT_FALSE(this->HasFailure())
+          << "shape " << int(Of.Shape) << ", " << Of.Triangles
+          << " triangles, seed " << Seed << ", " << Slots << " slots";
+    }
+  EXPECT_GT(this->Seen.Visits, 40000u);
+  if (!std::is_same_v<typename TypeParam::Policy, KeepTop>)
+    EXPECT_GT(this->Seen.Deletions, 5000u);
+}
