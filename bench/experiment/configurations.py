@@ -29,6 +29,11 @@ class Kernel:
                 else "kernels/pathtracer/PathTracer.cpp")
 
     @property
+    def node_bytes(self):
+        """What a test or load reads of a node; NodeBytes in SlotFormat.h."""
+        return 56 if self.slot_format == "QuantizedSlots" else 112
+
+    @property
     def defines(self):
         if not self.is_cached:
             return []

@@ -7,15 +7,17 @@ from .errors import BenchError
 REASONS = ("data", "memory", "unit_conflict", "icache_conflict", "branch",
            "barrier", "sync", "sleep", "finished")
 
-# Words of a node or triangle that the chip reads: 4 bytes each.
+# What a test of a triangle reads of it (kTriangleTestBytes).
 TRIANGLE_BYTES = 48
 
 
-def figures(statistics):
-    """Everything that table and charts show of a run but comparisons."""
+def figures(statistics, node_bytes):
+    """Everything that table and charts show of a run but comparisons. Tests
+    and loads read node_bytes of a node."""
     try:
-        return {**speed(statistics), **work(statistics["ray_profile"]),
-                "cache": cache(statistics["ray_profile"].get("cache")),
+        return {**speed(statistics), **work(statistics, node_bytes),
+                "cache": cache(statistics["ray_profile"].get("cache"),
+                               statistics["rays"]["total"]),
                 "shares": shares(statistics),
                 "worst_unit_conflict": worst_unit_conflict(statistics)}
     except KeyError as error:
@@ -36,19 +38,24 @@ def speed(statistics):
                 for name in ("minimum", "mean", "median", "maximum")}}
 
 
-def work(profile):
-    """Per ray: what it tests, and what of that comes from global memory,
-    straight or by being loaded into a slot."""
+def work(statistics, node_bytes):
+    """Per ray: what it tests, and what of that is read from global memory, to
+    be tested there or loaded into a slot. bytes_per_second is that of all
+    threads together."""
+    profile = statistics["ray_profile"]
     rays = sum(profile["rays"].values())
-    loads = profile["cache"]["loads"] if "cache" in profile else 0
-    direct = profile["nodes_from_memory"] + profile["triangles_from_memory"]
+    nodes, triangles = (profile["nodes_from_memory"],
+                        profile["triangles_from_memory"])
+    bytes_read = nodes * node_bytes + triangles * TRIANGLE_BYTES
     return {"nodes_per_ray": profile["nodes_visited"] / rays,
             "triangles_per_ray": profile["triangles_visited"] / rays,
-            "direct_per_ray": direct / rays,
-            "loads_per_ray": loads / rays}
+            "nodes_read_per_ray": nodes / rays,
+            "triangles_read_per_ray": triangles / rays,
+            "bytes_per_second": bytes_read
+                                / statistics["run"]["seconds_at_chip_clock"]}
 
 
-def cache(profile):
+def cache(profile, rays):
     """What the cache did; None for the baseline."""
     if profile is None:
         return None
@@ -56,8 +63,9 @@ def cache(profile):
     return {"slots": profile["slots"],
             "hit_rate": profile["hits"] / visits if visits else None,
             "deletions": profile["deletions"],
+            "deletions_per_ray": profile["deletions"] / rays,
             "slots_freed": profile["slots_freed"]["mean"],
-            "bypasses": profile["bypasses"],
+            "bypasses_per_ray": profile["bypasses"] / rays,
             "hits_by_depth": profile["hits_by_depth"],
             "loads_by_depth": profile["loads_by_depth"]}
 

@@ -77,7 +77,7 @@ def describe(configuration, run):
             "latency": configuration.latency,
             "seconds": run.seconds, "key": run.key,
             "image_digest": run.image_digest,
-            "figures": figures(run.statistics),
+            "figures": figures(run.statistics, kernel.node_bytes),
             "statistics": {name: value for name, value in run.statistics.items()
                            if name != "threads"}}
 

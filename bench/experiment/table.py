@@ -104,10 +104,10 @@ PLACE_HEADER = ["scene", "latency", "kernel", "local store, KiB"]
 
 def ray_table(runs):
     header = [*PLACE_HEADER, "rays/s", "a thread's rays/s: slowest",
-              "median", "fastest", "speed-up", "nodes per ray",
-              "triangles per ray", "tested from memory per ray",
-              "loaded into slots per ray", "slots", "hit rate", "deletions",
-              "freed by each", "image"]
+              "median", "fastest", "speed-up", "nodes per ray", "read",
+              "triangles per ray", "read", "memory GB/s", "slots", "hit rate",
+              "deletions per ray", "freed by each", "bypasses per ray",
+              "image"]
     return rows(header, [place(run) + ray_cells(run) for run in runs])
 
 
@@ -118,20 +118,22 @@ def ray_cells(run):
             *(in_units(threads[name])
               for name in ("minimum", "median", "maximum")),
             speed_up(run), f"{found['nodes_per_ray']:.1f}",
+            f"{found['nodes_read_per_ray']:.2f}",
             f"{found['triangles_per_ray']:.1f}",
-            f"{found['direct_per_ray']:.2f}",
-            *cache_cells(found["cache"], found["loads_per_ray"]),
+            f"{found['triangles_read_per_ray']:.2f}",
+            f"{found['bytes_per_second'] / 1e9:,.0f}",
+            *cache_cells(found["cache"]),
             "same" if run["image_equals_baseline"] else "**other**"]
 
 
-def cache_cells(cache, loads_per_ray):
+def cache_cells(cache):
     if cache is None:
         return [NONE] * 5
     rate = cache["hit_rate"]
-    return [f"{loads_per_ray:.2f}", str(cache["slots"]),
-            NONE if rate is None else f"{rate:.1%}",
-            in_units(cache["deletions"]),
-            f"{cache['slots_freed']:.1f}" if cache["deletions"] else NONE]
+    return [str(cache["slots"]), NONE if rate is None else f"{rate:.1%}",
+            f"{cache['deletions_per_ray']:.3f}",
+            f"{cache['slots_freed']:.1f}" if cache["deletions"] else NONE,
+            f"{cache['bypasses_per_ray']:.2f}"]
 
 
 def cycle_table(runs):

@@ -14,24 +14,28 @@ from statistics_of_runs import make_statistics
 
 class Figures(unittest.TestCase):
     def test_of_the_baseline(self):
-        found = figures(make_statistics(1000, cached=False))
+        found = figures(make_statistics(1000, cached=False), 112)
         self.assertIsNone(found["cache"])
         self.assertEqual(found["nodes_per_ray"], 3)
-        self.assertEqual(found["direct_per_ray"], 5)
-        self.assertEqual(found["loads_per_ray"], 0)
+        self.assertEqual(found["nodes_read_per_ray"], 3)
+        self.assertEqual(found["triangles_read_per_ray"], 2)
+        self.assertAlmostEqual(found["bytes_per_second"],
+                               (30 * 112 + 20 * 48) / 1e-6, places=0)
         self.assertEqual(found["threads"], 4)
         self.assertEqual(found["shares"]["memory"], 0.3)
         self.assertEqual(found["worst_unit_conflict"],
                          {"opcode": "mul_s", "share": 0.02})
 
     def test_shares_are_complete(self):
-        shares = figures(make_statistics(1000, cached=False))["shares"]
+        shares = figures(make_statistics(1000, cached=False), 112)["shares"]
         self.assertAlmostEqual(sum(shares.values()), 1)
 
     def test_of_a_cached_run(self):
-        found = figures(make_statistics(1000, cached=True))
-        self.assertEqual(found["direct_per_ray"], 0.5)
-        self.assertEqual(found["loads_per_ray"], 1)
+        found = figures(make_statistics(1000, cached=True), 56)
+        self.assertEqual(found["nodes_read_per_ray"], 0.3)
+        self.assertAlmostEqual(found["bytes_per_second"],
+                               (3 * 56 + 2 * 48) / 1e-6, places=0)
+        self.assertEqual(found["cache"]["deletions_per_ray"], 0.2)
         self.assertEqual(found["cache"]["hit_rate"], 0.8)
         self.assertEqual(found["cache"]["slots_freed"], 3.5)
 
@@ -39,7 +43,7 @@ class Figures(unittest.TestCase):
         statistics = make_statistics(1000, cached=False)
         del statistics["ray_profile"]
         with self.assertRaisesRegex(BenchError, "lack 'ray_profile'"):
-            figures(statistics)
+            figures(statistics, 112)
 
 
 class Configurations(unittest.TestCase):
