@@ -11,7 +11,8 @@
 //   -DTP_CACHE_POLICY=<class>   what is deleted (HighestBranch)
 //   -DTP_CACHE_FORMAT=<class>   what a slot holds: FullSlots or QuantizedSlots
 //                               (FullSlots)
-//   -DTP_CACHE_CHECK            verify the cache after every deletion
+//   -DTP_CACHE_CHECK            verify the cache after every deletion; needs
+//                               the .cpp files of kernels/treecache
 //
 //===----------------------------------------------------------------------===//
 
@@ -20,6 +21,7 @@
 #include "kernels/treecache/CachedRayTracer.h"
 #include "kernels/treecache/HighestBranch.h"
 #include "kernels/treecache/KeepTop.h"
+#include "kernels/treecache/LeastRecentlyUsed.h"
 #include "tp/local_store.h"
 
 #ifndef TP_CACHE_POLICY

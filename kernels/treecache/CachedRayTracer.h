@@ -18,11 +18,15 @@
 
 #include "kernels/bvh/BvhTraversal.h"
 #include "kernels/treecache/TreeCache.h"
+#ifdef TP_CACHE_CHECK
+#include "kernels/treecache/TreeCacheChecker.h"
+#endif
 
 namespace tp {
 
 /// Keeps what rays visit in a cache of \p Format (a SlotFormat); \p Policy (as
-/// HighestBranch) says what is deleted when it is full.
+/// HighestBranch) says what is deleted when it is full. With TP_CACHE_CHECK
+/// defined, the cache is verified after each deletion (TreeCacheChecker.h).
 template <class Format, class Policy> class CachedRayTracer {
 public:
   using Cache = TreeCache<Format, Policy::BytesPerSlot>;
@@ -32,6 +36,9 @@ public:
   CachedRayTracer(const SceneView &Scene, const Cache &Slots,
                   TraversalStack::Entry *Entries)
       : Memory{Nodes::nodes(Scene), Scene.Triangles}, Slots(Slots),
+#ifdef TP_CACHE_CHECK
+        Scene(Scene),
+#endif
         Entries(Entries) {
     rayEvent(RayEvent::CacheSlots, Slots.end() / Cache::SlotBytes);
     rayEvent(RayEvent::CacheSlotBytes, Cache::SlotBytes);
@@ -47,7 +54,7 @@ public:
     Hit Nearest{MaxDistance, kNoTriangle};
     uint32_t Word = kRootWord;
     for (;;) {
-      const CacheLink Link = enter(Word);
+      const CacheLink Link = enter(Word, Stack);
       if (!isLoaded(Link)) {
         Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
       } else if (!isLoadedLeaf(Link)) {
@@ -72,7 +79,7 @@ public:
     TraversalStack Stack(Entries);
     uint32_t Word = kRootWord;
     do {
-      const CacheLink Link = enter(Word);
+      const CacheLink Link = enter(Word, Stack);
       if (!isLoaded(Link)) {
         if (isBlockedInMemory(Link, R, Boxes, Stack.top(), MaxDistance))
           return true;
@@ -107,10 +114,10 @@ private:
   };
 
   /// The link at \p Word, if possible to a slot, for a visit.
-  TP_KERNEL_INLINE CacheLink enter(uint32_t Word) {
+  TP_KERNEL_INLINE CacheLink enter(uint32_t Word, const TraversalStack &Stack) {
     CacheLink Link = Slots.word(Word);
     if (!isLoaded(Link)) {
-      if (!Slots.hasFreeSlot() && !makeRoom(Word))
+      if (!Slots.hasFreeSlot() && !makeRoom(Word, Stack.top()))
         return Link;
       Link = Slots.load(Memory, Word, Link);
     }
@@ -120,12 +127,21 @@ private:
   }
 
   /// Deletes a branch so that what \p Word names can be loaded; false if the
-  /// policy has none.
-  [[gnu::noinline]] bool makeRoom(uint32_t Word) {
+  /// policy has none. The entries below \p Top are waiting.
+  [[gnu::noinline]] bool makeRoom(uint32_t Word,
+                                  [[maybe_unused]] TraversalStack::Entry *Top) {
     const uint32_t Branch = Rules.chooseBranch(Slots, Word);
     if (Branch == kNoWord)
       return false;
     Slots.unloadBranch(Branch);
+#ifdef TP_CACHE_CHECK
+    const TreeCacheState State = treeCacheState(Slots);
+    Checker.verifyDeletion(treeCacheLayout<Cache>(), State,
+                           treeCacheSource<Nodes>(Scene),
+                           {Word, &Entries->Reference,
+                            sizeof(TraversalStack::Entry) / sizeof(uint32_t),
+                            static_cast<uint32_t>(Top - Entries)});
+#endif
     return true;
   }
 
@@ -185,6 +201,10 @@ private:
   const BvhMemory Memory;
   Cache Slots;
   [[no_unique_address]] Policy Rules;
+#ifdef TP_CACHE_CHECK
+  const SceneView Scene;
+  TreeCacheChecker Checker;
+#endif
   TraversalStack::Entry *const Entries;
 };
 

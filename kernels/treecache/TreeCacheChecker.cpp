@@ -25,22 +25,18 @@ namespace tp {
 #endif
 }
 
-TreeCacheChecker::TreeCacheChecker(uint32_t SlotCount)
-    : Scratch(static_cast<uint32_t *>(
-          malloc(treeCacheVerifierWords(SlotCount) * sizeof(uint32_t)))) {
-  if (!Scratch)
-    stop("no memory to verify the cache in");
-}
-
-TreeCacheChecker::~TreeCacheChecker() { free(Scratch); }
-
 void TreeCacheChecker::verifyDeletion(const TreeCacheLayout &Layout,
                                       const TreeCacheState &State,
                                       const TreeCacheSource &Source,
                                       const TreeCachePath &Path) {
   ++DeletionCount;
+  auto *Scratch = static_cast<uint32_t *>(
+      malloc(treeCacheVerifierWords(State.SlotCount) * sizeof(uint32_t)));
+  if (!Scratch)
+    stop("no memory to verify the cache in");
   const TreeCacheViolation Found =
       verifyTreeCache(Layout, State, Source, &Path, Scratch);
+  free(Scratch);
   if (Found.isClean())
     return;
   char Sentence[160], Message[200];

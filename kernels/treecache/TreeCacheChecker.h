@@ -45,23 +45,13 @@ TreeCacheSource treeCacheSource(const SceneView &Scene) {
 /// a message on stderr and status 1 if a rule is broken.
 class TreeCacheChecker {
 public:
-  /// The verifier's scratch memory comes from the heap: local store would be
-  /// missing in the cache.
-  explicit TreeCacheChecker(uint32_t SlotCount);
-  TreeCacheChecker(const TreeCacheChecker &) = delete;
-  TreeCacheChecker &operator=(const TreeCacheChecker &) = delete;
-  ~TreeCacheChecker();
-
-  /// After a deletion that left \p Path to go on.
+  /// After a deletion that left \p Path to go on. The verifier's scratch memory
+  /// comes from the heap: local store would be missing in the cache.
   void verifyDeletion(const TreeCacheLayout &Layout,
                       const TreeCacheState &State,
                       const TreeCacheSource &Source, const TreeCachePath &Path);
 
-  /// Deletions so far.
-  uint32_t deletionCount() const { return DeletionCount; }
-
 private:
-  uint32_t *const Scratch;
   uint32_t DeletionCount = 0;
 };
 
