@@ -55,7 +55,7 @@ public:
     uint32_t Word = kRootWord;
     for (;;) {
       const CacheLink Link = enter(Word, Stack);
-      if (!isLoaded(Link)) {
+      if (!isLoaded(Link)) [[unlikely]] {
         Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
       } else if (!isLoadedLeaf(Link)) {
         const ChildWords Children(Link);
@@ -80,7 +80,7 @@ public:
     uint32_t Word = kRootWord;
     do {
       const CacheLink Link = enter(Word, Stack);
-      if (!isLoaded(Link)) {
+      if (!isLoaded(Link)) [[unlikely]] {
         if (isBlockedInMemory(Link, R, Boxes, Stack.top(), MaxDistance))
           return true;
       } else if (!isLoadedLeaf(Link)) {
@@ -116,9 +116,11 @@ private:
   /// The link at \p Word, if possible to a slot, for a visit.
   TP_KERNEL_INLINE CacheLink enter(uint32_t Word, const TraversalStack &Stack) {
     CacheLink Link = Slots.word(Word);
-    if (!isLoaded(Link)) {
-      if (!Slots.hasFreeSlot() && !makeRoom(Word, Stack.top()))
-        return Link;
+    if (!isLoaded(Link)) [[unlikely]] {
+      if (!Slots.hasFreeSlot()) [[unlikely]] {
+        if (!makeRoom(Word, Stack.top()))
+          return Link;
+      }
       Link = Slots.load(Memory, Word, Link);
     }
     rayEvent(RayEvent::SlotVisit, Link);
