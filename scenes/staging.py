@@ -5,30 +5,14 @@ backdrop, two square lamps and a camera; eight triangles."""
 
 import math
 
+from vectors import along, cross, subtract, unit
+
 STAGE_TRIANGLES = 8
 FLOOR_COLOR = (0.55, 0.55, 0.52)
 LAMP_COLOR = (0.8, 0.8, 0.8)
 # In radii of the model: how far the lamps are and half how wide.
 LAMP_DISTANCE, LAMP_SIZE = 3.2, 0.9
 FLOOR_SIZE, BACKDROP_DISTANCE = 14, 3
-
-
-def subtract(a, b):
-    return tuple(x - y for x, y in zip(a, b))
-
-
-def along(a, direction, distance):
-    return tuple(x + distance * y for x, y in zip(a, direction))
-
-
-def unit(v):
-    length = math.sqrt(sum(x * x for x in v))
-    return tuple(x / length for x in v)
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0])
 
 
 def frame(backward):

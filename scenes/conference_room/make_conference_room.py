@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 #===- make_conference_room.py - Writes a conference-like room -------------===#
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Writes a room like the well-known conference room: 12 office chairs, 4 tables,
-blinds, a tiled floor and a tiled ceiling with lamps; 319,924 triangles.
+"""Writes a room like the well-known conference room: 12 office chairs, 4
+tables, blinds, a tiled floor and a tiled ceiling with lamps; 319,924 triangles.
 
 Usage: make_conference_room.py PACKAGE conference_room.glb
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 #===- make_engine.py - Writes a hall of engines ---------------------------===#
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Writes nine two-cylinder engines in a studio: 75,730 triangles of which nodes,
-transforms within transforms, make 9 x 121,496 = 1,093,464; 9 x 110,336 = 993,024
-of them have an area.
+"""Writes nine two-cylinder engines in a studio: 75,730 triangles of which
+nodes, transforms within transforms, make 9 x 121,496 = 1,093,464; 9 x 110,336 =
+993,024 of them have an area.
 
 Usage: make_engine.py PACKAGE engine.glb
 

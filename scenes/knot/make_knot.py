@@ -17,6 +17,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 ".."))
 from gltf_writer import Writer
+from vectors import cross, subtract, unit
 
 SEGMENTS, SIDES = 544, 64
 TUBE_RADIUS, RIPPLE, RIPPLES_ALONG, RIPPLES_AROUND = 0.6, 0.06, 60, 7
@@ -30,21 +31,11 @@ def center(t):
             -math.sin(3 * t))
 
 
-def unit(v):
-    length = math.sqrt(sum(x * x for x in v))
-    return tuple(x / length for x in v)
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0])
-
-
 def ring(t, sides):
     """The points around the tube at t."""
     step = 1e-4
     here = center(t)
-    tangent = unit([b - a for a, b in zip(center(t - step), center(t + step))])
+    tangent = unit(subtract(center(t + step), center(t - step)))
     across = unit(cross(tangent, (0, 0, 1)))
     up = cross(across, tangent)
     points = []
