@@ -74,9 +74,10 @@ public:
 
   /// Threads of the host to use; 1 at first. They change nothing but speed.
   void setHostThreads(unsigned Count);
-  /// Who receives the values of `profv`: those of one thread in its order, those
-  /// of different threads possibly at once, and also of instructions that the
-  /// cycle limit cuts off. It must outlive the run. Without it they are dropped.
+  /// Who receives the values of `profv`: those of one thread in its order,
+  /// those of different threads possibly at once, and also of instructions that
+  /// the cycle limit cuts off. It must outlive the run. Without it they are
+  /// dropped.
   void setObserver(ProfileObserver *Observer);
   /// Where host calls write; without it output is dropped.
   void setOutput(OutputFunction Function);

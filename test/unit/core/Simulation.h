@@ -29,6 +29,10 @@ public:
   Simulation(const ChipConfig &Chip, const Assembly &Source,
              unsigned HostThreads = 1);
 
+  /// Before the run.
+  void setObserver(ProfileObserver &Observer) {
+    Simulated.setObserver(&Observer);
+  }
   RunResult run(uint64_t MaxCycles = 1000000);
   /// Runs, expects that all threads halt, and gives the cycles.
   uint64_t cycles();

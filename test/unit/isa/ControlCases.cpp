@@ -187,6 +187,26 @@ static void checkMarkers() {
   EXPECT_EQ(S.statistics().Markers[4], 0u);
 }
 
+static void checkProfileValues() {
+  struct : ProfileObserver {
+    void profileValue(uint32_t, uint32_t Marker, uint32_t Value) override {
+      Seen.push_back({Marker, Value});
+    }
+    std::vector<std::pair<uint32_t, uint32_t>> Seen;
+  } Observer;
+  std::vector<std::pair<uint32_t, uint32_t>> Expected;
+  Assembly A;
+  for (uint32_t Marker : {0u, 0x100u, 0xFFFFu})
+    for (uint32_t Value : IntegerEdges) {
+      A.constant(11, Value)("profv", Marker, 11);
+      Expected.push_back({Marker, Value});
+    }
+  Simulation S(quietChip(1, 1), A("halt", 0));
+  S.setObserver(Observer);
+  S.cycles();
+  EXPECT_EQ(Observer.Seen, Expected);
+}
+
 static void checkHostCall() {
   Assembly A;
   A.constant(5, DataBegin)("addi", 4, 0, 2)("addi", 6, 0, 5)("hostcall", 0)(
@@ -235,6 +255,7 @@ void addControlCases(InstructionCases &Cases) {
   Cases["halt"] = checkHalt;
   Cases["break"] = checkBreak;
   Cases["prof"] = checkMarkers;
+  Cases["profv"] = checkProfileValues;
   Cases["hostcall"] = checkHostCall;
 }
 

@@ -1,0 +1,75 @@
+//===- ThreadRayProfiler.h - What a thread's ray events mean ----*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_KERNELS_PROFILE_THREADRAYPROFILER_H
+#define TP_KERNELS_PROFILE_THREADRAYPROFILER_H
+
+#include "kernels/common/RayEvents.h"
+#include "kernels/profile/DeletionRecorder.h"
+
+#include <string>
+
+namespace tp {
+
+/// Counts what the ray events of one thread report, and checks that they fit
+/// together.
+class ThreadRayProfiler {
+public:
+  /// The thread reports \p Event with \p Value.
+  void report(RayEvent Event, uint32_t Value);
+
+  /// The counts of all rays that have begun.
+  RayProfile profile() const;
+  /// The first event that contradicted those before it, in words; empty if
+  /// there was none. Nothing is counted from there on.
+  const std::string &contradiction() const { return Error; }
+
+  /// Records deletion \p Number, from 1.
+  void recordDeletion(uint64_t Number) { Recorder.emplace(Number); }
+  const std::optional<DeletionRecorder> &recorder() const { return Recorder; }
+
+private:
+  /// A PerRayCount in the making.
+  struct Counter {
+    PerRayCount Rays;
+    uint32_t Current = 0;
+
+    PerRayCount finished() const;
+  };
+
+  Contradiction process(RayEvent Event, uint32_t Value);
+  Contradiction processCacheEvent(RayEvent Event, uint32_t Value);
+  Contradiction processShape(RayEvent Event, uint32_t Value);
+  Contradiction beginRay(uint32_t Kind);
+  Contradiction load(CacheLink Into);
+  Contradiction visit(CacheLink Link);
+  Contradiction beginDeletion(uint32_t Word);
+  Contradiction freeSlot(uint32_t Offset);
+  Contradiction endDeletion(uint32_t Count);
+  /// The events that may follow the last one, if only some may.
+  bool mayFollow(RayEvent Event) const;
+
+  RayProfile Counts;
+  Counter NodesVisited, TrianglesVisited;
+  Counter NodesFromMemory, TrianglesFromMemory;
+
+  CacheShape Shape;
+  std::optional<CacheMirror> Mirror;
+  /// The load at hand.
+  BvhReference LoadFrom = 0;
+  uint32_t LoadParent = 0;
+  /// What was loaded and not yet visited; 0 if nothing.
+  CacheLink JustLoaded = 0;
+  std::optional<RayEvent> Last;
+  uint64_t EventNumber = 0;
+
+  std::string Error;
+  std::optional<DeletionRecorder> Recorder;
+};
+
+} // namespace tp
+
+#endif // TP_KERNELS_PROFILE_THREADRAYPROFILER_H
