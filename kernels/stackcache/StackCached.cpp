@@ -11,8 +11,9 @@
 //   -DTP_CACHE_POLICY=<class>   what is deleted (HighestBranch)
 //   -DTP_CACHE_FORMAT=<class>   what a slot holds: FullSlots or QuantizedSlots
 //                               (FullSlots)
-//   -DTP_CACHE_CHECK            verify the cache after every deletion; needs
-//                               the .cpp files of kernels/treecache
+//   -DTP_CACHE_CHECK            verify the cache after every deletion, and say
+//                               how many there were; needs the .cpp files of
+//                               kernels/treecache
 //
 //===----------------------------------------------------------------------===//
 
@@ -52,5 +53,8 @@ int main(int ArgumentCount, char **Arguments) {
                                  Cache(Space.Begin + StackBytes, Slots,
                                        TP_CACHE_FORMAT::Nodes::root(Scene)),
                                  Entries));
+#ifdef TP_CACHE_CHECK
+  reportVerifiedDeletions();
+#endif
   return 0;
 }

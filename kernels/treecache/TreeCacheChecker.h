@@ -55,6 +55,10 @@ private:
   uint32_t DeletionCount = 0;
 };
 
+/// Writes to stderr how many deletions the checkers of all threads have
+/// verified: once, when the threads have met behind the last one.
+void reportVerifiedDeletions();
+
 } // namespace tp
 
 #endif // TP_KERNELS_TREECACHE_TREECACHECHECKER_H
