@@ -17,25 +17,49 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 namespace tp {
 
 namespace {
+
+/// Room for the small arrays of a block, bytes.
+constexpr size_t kExpectedRest = 1 << 16;
 
 /// Collects arrays behind a header, each at an aligned offset.
 class BlockWriter {
 public:
   BlockWriter() : Bytes(sizeof(SceneHeader)) {}
 
+  /// Avoids copies until so many bytes are appended.
+  void expect(size_t ByteCount) { Bytes.reserve(Bytes.size() + ByteCount); }
+
   template <typename T> uint32_t append(const std::vector<T> &Records) {
+    const uint32_t Offset = appendZeros<T>(Records.size());
+    if (!Records.empty())
+      std::memcpy(Bytes.data() + Offset, Records.data(),
+                  Records.size() * sizeof(T));
+    return Offset;
+  }
+
+  /// Appends Make(0), Make(1) and so on.
+  template <typename Maker> uint32_t append(size_t Count, Maker Make) {
+    using Record = decltype(Make(size_t(0)));
+    const uint32_t Offset = appendZeros<Record>(Count);
+    uint8_t *Target = Bytes.data() + Offset;
+    for (size_t Number = 0; Number != Count; ++Number) {
+      const Record Made = Make(Number);
+      std::memcpy(Target + Number * sizeof(Record), &Made, sizeof(Record));
+    }
+    return Offset;
+  }
+
+  /// Appends \p Count records whose bytes are all 0.
+  template <typename T> uint32_t appendZeros(size_t Count) {
     const size_t Offset = (Bytes.size() + kSceneAlignment - 1) /
                           kSceneAlignment * kSceneAlignment;
-    const size_t Size = Records.size() * sizeof(T);
+    const size_t Size = Count * sizeof(T);
     assert(Offset + Size <= UINT32_MAX && "the loader bounds scenes");
     Bytes.resize(Offset + Size);
-    if (Size != 0)
-      std::memcpy(Bytes.data() + Offset, Records.data(), Size);
     return uint32_t(Offset);
   }
 
@@ -122,16 +146,10 @@ static CameraRecord makeCamera(const Camera &Source) {
           Source.Forward};
 }
 
-static std::vector<TriangleRecord>
-makeTriangles(const Scene &Source, const std::vector<uint32_t> &Order) {
-  std::vector<TriangleRecord> Triangles;
-  Triangles.reserve(Order.size());
-  for (uint32_t Number : Order) {
-    const Triangle &Shape = Source.Triangles[Number];
-    Triangles.push_back(
-        makeTriangle(Shape, Source.Materials[Shape.Material].BaseColor));
-  }
-  return Triangles;
+/// Triangle \p Number of the file.
+static TriangleRecord makeTriangle(const Scene &Source, size_t Number) {
+  const Triangle &Shape = Source.Triangles[Number];
+  return makeTriangle(Shape, Source.Materials[Shape.Material].BaseColor);
 }
 
 /// \p LargestCoordinate is that of all boxes and origins of rays.
@@ -158,11 +176,15 @@ static void appendTree(const Scene &Source,
   WideBvhStorage WideStorage{Nodes.data(), WideNodes.data(), 0};
   Header.Root = widenBvh(WideStorage, BinaryRoot);
   WideNodes.resize(WideStorage.WideNodeCount);
+  Block.expect(WideNodes.size() *
+                   (sizeof(WideBvhNode) + sizeof(QuantizedBvhNode)) +
+               Count * sizeof(TriangleRecord) + kExpectedRest);
   Header.NodesOffset = Block.append(WideNodes);
   Header.NodeCount = uint32_t(WideNodes.size());
   Header.QuantizedNodesOffset =
       Block.append(quantizeNodes(WideNodes, LargestCoordinate));
-  Header.TrianglesOffset = Block.append(makeTriangles(Source, Order));
+  Header.TrianglesOffset = Block.append(
+      Count, [&](size_t At) { return makeTriangle(Source, Order[At]); });
 }
 
 /// Appends what a kernel needs to do the work of appendTree().
@@ -170,16 +192,20 @@ static void appendWorkspace(const Scene &Source,
                             const std::vector<BoundingBox> &Boxes,
                             SceneHeader &Header, BlockWriter &Block) {
   const uint32_t Count = uint32_t(Boxes.size());
-  std::vector<uint32_t> Order(Count);
-  std::iota(Order.begin(), Order.end(), 0);
+  const uint32_t InnerCount = Count - 1;
+  Block.expect(Count *
+                   (2 * sizeof(TriangleRecord) + sizeof(BoundingBox) +
+                    sizeof(uint32_t) + sizeof(WideBvhNode) + sizeof(BvhNode)) +
+               kExpectedRest);
   Header.Root = kNoBvh;
-  Header.NodesOffset = Block.append(std::vector<WideBvhNode>(Count - 1));
-  Header.TrianglesOffset = Block.append(std::vector<TriangleRecord>(Count));
+  Header.NodesOffset = Block.appendZeros<WideBvhNode>(InnerCount);
+  Header.TrianglesOffset = Block.appendZeros<TriangleRecord>(Count);
   BvhWorkspace Workspace{};
-  Workspace.SourcesOffset = Block.append(makeTriangles(Source, Order));
+  Workspace.SourcesOffset = Block.append(
+      Count, [&](size_t Number) { return makeTriangle(Source, Number); });
   Workspace.BoxesOffset = Block.append(Boxes);
-  Workspace.OrderOffset = Block.append(std::vector<uint32_t>(Count));
-  Workspace.BinaryNodesOffset = Block.append(std::vector<BvhNode>(Count - 1));
+  Workspace.OrderOffset = Block.appendZeros<uint32_t>(Count);
+  Workspace.BinaryNodesOffset = Block.appendZeros<BvhNode>(InnerCount);
   Workspace.BinaryRoot = kNoBvh;
   Header.WorkspaceOffset = Block.append(std::vector<BvhWorkspace>{Workspace});
 }
