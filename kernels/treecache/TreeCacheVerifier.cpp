@@ -358,6 +358,8 @@ int describeViolation(const TreeCacheViolation &Violation, char *Buffer,
   default:
     break;
   }
+  if (Violation.Rule == TreeCacheRule::SlotLost)
+    return snprintf(Buffer, Bytes, "slot %u: %s", Violation.Slot, What);
   if (Violation.Slot == TreeCacheViolation::NoSlot)
     return snprintf(Buffer, Bytes, "at the root: %s", What);
   return snprintf(Buffer, Bytes, "word %u of slot %u: %s", Violation.Word,
