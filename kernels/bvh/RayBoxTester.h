@@ -37,32 +37,13 @@ public:
   /// Tests the boxes of the node whose words begin at \p Node.
   TP_KERNEL_INLINE BoxDistances test(const char *Node,
                                      float MaxDistance) const {
-    const Side NearXs = load(Node + NearX, 0);
-    const Side FarXs = load(Node + FarX, 0);
-    const Side NearYs = load(Node + NearY, 1);
-    const Side FarYs = load(Node + FarY, 1);
-    const Side NearZs = load(Node + NearZ, 2);
-    const Side FarZs = load(Node + FarZ, 2);
-    BoxDistances Result;
-    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
-      Result.Enter[Child] =
-          maximum((NearXs.Plane[Child] - Origin.X) * Inverse.X, 0.0f);
-      Result.Leave[Child] =
-          minimum((FarXs.Plane[Child] - Origin.X) * Inverse.X, MaxDistance);
-    }
-    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
-      Result.Enter[Child] = maximum(
-          (NearYs.Plane[Child] - Origin.Y) * Inverse.Y, Result.Enter[Child]);
-      Result.Leave[Child] = minimum((FarYs.Plane[Child] - Origin.Y) * Inverse.Y,
-                                    Result.Leave[Child]);
-    }
-    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
-      Result.Enter[Child] = maximum(
-          (NearZs.Plane[Child] - Origin.Z) * Inverse.Z, Result.Enter[Child]);
-      Result.Leave[Child] = minimum((FarZs.Plane[Child] - Origin.Z) * Inverse.Z,
-                                    Result.Leave[Child]);
-    }
-    return Result;
+    return testFrom<Store::Memory>(Node, MaxDistance);
+  }
+
+  /// The same for a node in the local store.
+  TP_KERNEL_INLINE BoxDistances testInLocalStore(const char *Node,
+                                                 float MaxDistance) const {
+    return testFrom<Store::Local>(Node, MaxDistance);
   }
 
   /// The inverse of a direction's component, finite for every direction, so
@@ -75,6 +56,56 @@ public:
   }
 
 private:
+  enum class Store { Memory, Local };
+
+  template <Store From>
+  TP_KERNEL_INLINE BoxDistances testFrom(const char *Node,
+                                         float MaxDistance) const {
+    BoxDistances Result;
+    const Side NearXs = load(Node + NearX, 0);
+    const Side FarXs = load(Node + FarX, 0);
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+      Result.Enter[Child] =
+          maximum((NearXs.Plane[Child] - Origin.X) * Inverse.X, 0.0f);
+      Result.Leave[Child] =
+          minimum((FarXs.Plane[Child] - Origin.X) * Inverse.X, MaxDistance);
+    }
+    if (From == Store::Local)
+      loadNoEarlier(Node, Result);
+    const Side NearYs = load(Node + NearY, 1);
+    const Side FarYs = load(Node + FarY, 1);
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+      Result.Enter[Child] = maximum(
+          (NearYs.Plane[Child] - Origin.Y) * Inverse.Y, Result.Enter[Child]);
+      Result.Leave[Child] = minimum((FarYs.Plane[Child] - Origin.Y) * Inverse.Y,
+                                    Result.Leave[Child]);
+    }
+    if (From == Store::Local)
+      loadNoEarlier(Node, Result);
+    const Side NearZs = load(Node + NearZ, 2);
+    const Side FarZs = load(Node + FarZ, 2);
+    for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
+      Result.Enter[Child] = maximum(
+          (NearZs.Plane[Child] - Origin.Z) * Inverse.Z, Result.Enter[Child]);
+      Result.Leave[Child] = minimum((FarZs.Plane[Child] - Origin.Z) * Inverse.Z,
+                                    Result.Leave[Child]);
+    }
+    return Result;
+  }
+
+  /// The compiler takes every load for a slow one and asks for all words early,
+  /// more than there are registers. Here it shall not do so before it has
+  /// \p Result.
+  TP_KERNEL_INLINE static void loadNoEarlier([[maybe_unused]] const char *&Node,
+                                             [[maybe_unused]] BoxDistances &D) {
+#ifdef __tp__
+    asm(""
+        : "+r"(Node)
+        : "f"(D.Enter[0]), "f"(D.Enter[1]), "f"(D.Enter[2]), "f"(D.Enter[3]),
+          "f"(D.Leave[0]), "f"(D.Leave[1]), "f"(D.Leave[2]), "f"(D.Leave[3]));
+#endif
+  }
+
   static uint32_t nearOffset(float Component) {
     return Component < 0.0f ? kBoundsSideBytes : 0;
   }
