@@ -6,8 +6,6 @@
 
 #include "simulator/chip/ChipFile.h"
 
-#include "simulator/chip/YamlSection.h"
-
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
@@ -113,7 +111,12 @@ Expected<ChipConfig> parseChip(StringRef Text, StringRef FileName,
   if (!Tree)
     return Tree.takeError();
   YamlErrors Errors(FileName);
-  YamlSection Root(Errors, *Tree, 1, "");
+  return buildChip(*Tree, Errors, Name);
+}
+
+Expected<ChipConfig> buildChip(const YamlValue &Tree, YamlErrors &Errors,
+                               StringRef Name) {
+  YamlSection Root(Errors, Tree, 1, "");
   ChipConfig Chip;
   Chip.Name = Name.str();
   readMachine(Root, Chip, Errors);

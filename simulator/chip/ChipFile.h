@@ -12,6 +12,7 @@
 #define TP_SIMULATOR_CHIP_CHIPFILE_H
 
 #include "simulator/chip/ChipConfig.h"
+#include "simulator/chip/YamlSection.h"
 
 #include "llvm/ADT/StringRef.h"
 #include "llvm/Support/Error.h"
@@ -44,6 +45,10 @@ inline constexpr uint64_t MinMemoryBytes = 128 << 10;
 /// `<FileName>:<line>: <what and what would be right>`.
 llvm::Expected<ChipConfig>
 parseChip(llvm::StringRef Text, llvm::StringRef FileName, llvm::StringRef Name);
+
+/// The same from a tree; \p Errors holds no error yet.
+llvm::Expected<ChipConfig> buildChip(const YamlValue &Tree, YamlErrors &Errors,
+                                     llvm::StringRef Name);
 
 /// Loads a chip by the path of its file (anything with a `/` or ending in
 /// `.yaml`), or by name from `<ChipFolder>/<name>.yaml`.

@@ -20,7 +20,7 @@ using namespace llvm;
 namespace tp {
 
 void YamlErrors::add(unsigned Line, const Twine &What) {
-  Found.emplace(Line, (FileName + ":" + Twine(Line) + ": " + What).str());
+  Found.emplace(Line, (Place(Line) + ": " + What).str());
 }
 
 Error YamlErrors::take() {

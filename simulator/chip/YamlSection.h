@@ -13,6 +13,7 @@
 #include "llvm/ADT/Twine.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -21,7 +22,14 @@ namespace tp {
 /// Collects what is wrong with a file, so that all of it is reported at once.
 class YamlErrors {
 public:
-  explicit YamlErrors(llvm::StringRef FileName) : FileName(FileName) {}
+  /// Errors begin with `<FileName>:<line>`.
+  explicit YamlErrors(llvm::StringRef FileName)
+      : Place([Name = FileName.str()](unsigned Line) {
+          return Name + ":" + std::to_string(Line);
+        }) {}
+  /// Errors begin with what \p PlaceOfLine says of their line.
+  explicit YamlErrors(std::function<std::string(unsigned Line)> PlaceOfLine)
+      : Place(std::move(PlaceOfLine)) {}
 
   void add(unsigned Line, const llvm::Twine &What);
   /// All errors, a line each, in the order of the file's lines; success if
@@ -29,7 +37,7 @@ public:
   llvm::Error take();
 
 private:
-  std::string FileName;
+  std::function<std::string(unsigned Line)> Place;
   /// By line; errors of one line in the order in which they were found.
   std::multimap<unsigned, std::string> Found;
 };

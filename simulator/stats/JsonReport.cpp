@@ -6,7 +6,9 @@
 
 #include "simulator/stats/JsonReport.h"
 
+#include "kernels/profile/RayProfiler.h"
 #include "simulator/chip/ChipArea.h"
+#include "simulator/stats/RayProfileJson.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/JSON.h"
@@ -28,6 +30,8 @@ public:
       writeChip();
       writeImage();
       writeRays();
+      if (std::optional<RayProfile> Sum = sumOf(Run.RayProfiles))
+        writeRayProfile(*Sum, Json);
       writeThreadCycles();
       writeOpcodes();
       writeUnits();
@@ -96,6 +100,12 @@ private:
       Json.attribute("per_second", Rates->Chip);
       Json.attribute("slowest_thread_per_second", Rates->SlowestThread);
       Json.attribute("fastest_thread_per_second", Rates->FastestThread);
+      Json.attributeObject("per_thread", [&] {
+        Json.attribute("minimum", Rates->PerThread.Minimum);
+        Json.attribute("mean", Rates->PerThread.Mean);
+        Json.attribute("median", Rates->PerThread.Median);
+        Json.attribute("maximum", Rates->PerThread.Maximum);
+      });
       Json.attribute("threads_without_rays", Rates->ThreadsWithoutRays);
     });
   }
@@ -171,7 +181,34 @@ private:
                 }));
       if (!Run.Rays.empty())
         flatArray("rays", Run.Rays);
+      if (!Run.RayProfiles.empty())
+        writeThreadProfiles();
     });
+  }
+
+  template <typename Function>
+  void writeProfiles(StringRef Name, Function Count) {
+    flatArray(Name, map_range(Run.RayProfiles, Count));
+  }
+
+  void writeThreadProfiles() {
+    using Profile = const RayProfile &;
+    writeProfiles("nodes_visited",
+                  [](Profile P) { return P.NodesVisited.Total; });
+    writeProfiles("triangles_visited",
+                  [](Profile P) { return P.TrianglesVisited.Total; });
+    writeProfiles("nodes_from_memory",
+                  [](Profile P) { return P.NodesFromMemory.Total; });
+    writeProfiles("triangles_from_memory",
+                  [](Profile P) { return P.TrianglesFromMemory.Total; });
+    if (none_of(Run.RayProfiles, [](Profile P) { return P.Cache; }))
+      return;
+    auto Cached = [](uint64_t CacheProfile::*Count) {
+      return [Count](Profile P) { return P.Cache ? (*P.Cache).*Count : 0; };
+    };
+    writeProfiles("cache_visits", Cached(&CacheProfile::Visits));
+    writeProfiles("cache_hits", Cached(&CacheProfile::Hits));
+    writeProfiles("cache_deletions", Cached(&CacheProfile::Deletions));
   }
 };
 

@@ -79,25 +79,38 @@ double RunSummary::icacheUtilisation() const {
                                          Chip.IcacheBanks * Chip.IcachePorts);
 }
 
+/// \p Rates in rising order; there is at least one.
+static double median(const std::vector<double> &Rates) {
+  size_t Half = Rates.size() / 2;
+  return Rates.size() % 2 ? Rates[Half] : (Rates[Half - 1] + Rates[Half]) / 2;
+}
+
 std::optional<RayRates> rayRates(const RunSummary &Run) {
   RayRates Rates;
   Rates.Rays = std::accumulate(Run.Rays.begin(), Run.Rays.end(), uint64_t(0));
   if (Rates.Rays == 0)
     return std::nullopt;
   Rates.Chip = ratio(Rates.Rays, Run.seconds());
-  bool First = true;
+  std::vector<double> ToHalt, Own;
   for (size_t I = 0; I != Run.Rays.size(); ++I) {
     if (Run.Rays[I] == 0) {
       ++Rates.ThreadsWithoutRays;
       continue;
     }
-    uint64_t Finish = Run.Stats.Threads[I].FinishCycle;
-    double Cycles = Finish ? Finish : Run.Stats.Cycles;
-    double Rate = ratio(Run.Rays[I] * Run.Chip.ClockGHz * 1e9, Cycles);
-    Rates.SlowestThread = First ? Rate : std::min(Rates.SlowestThread, Rate);
-    Rates.FastestThread = std::max(Rates.FastestThread, Rate);
-    First = false;
+    const ThreadStatistics &Thread = Run.Stats.Threads[I];
+    uint64_t Cycles = Run.Stats.Cycles - Thread.Lost[unsigned(Loss::Finished)];
+    uint64_t Waits = Thread.Lost[unsigned(Loss::Barrier)];
+    double RayCycles = Run.Rays[I] * Run.Chip.ClockGHz * 1e9;
+    ToHalt.push_back(ratio(RayCycles, Cycles));
+    Own.push_back(ratio(RayCycles, Cycles - Waits));
   }
+  std::sort(ToHalt.begin(), ToHalt.end());
+  std::sort(Own.begin(), Own.end());
+  Rates.SlowestThread = ToHalt.front();
+  Rates.FastestThread = ToHalt.back();
+  Rates.PerThread = {Own.front(),
+                     std::accumulate(Own.begin(), Own.end(), 0.0) / Own.size(),
+                     median(Own), Own.back()};
   return Rates;
 }
 

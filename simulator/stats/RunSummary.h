@@ -7,6 +7,7 @@
 #ifndef TP_SIMULATOR_STATS_RUNSUMMARY_H
 #define TP_SIMULATOR_STATS_RUNSUMMARY_H
 
+#include "kernels/profile/RayProfile.h"
 #include "simulator/chip/ChipConfig.h"
 #include "simulator/stats/Statistics.h"
 
@@ -41,6 +42,8 @@ struct RunSummary {
   /// Rays by thread; empty if the program does not count any.
   std::vector<uint32_t> Rays;
   std::optional<ImageSettings> Image;
+  /// What the rays of each thread did; empty if the program does not report it.
+  std::vector<RayProfile> RayProfiles = {};
 
   /// Threads times cycles: what issues and losses add up to.
   uint64_t threadCycles() const;
@@ -62,10 +65,18 @@ struct RayRates {
   uint64_t Rays = 0;
   /// All rays over the run's time.
   double Chip = 0;
-  /// Over each thread's own time up to its halt; threads without a ray are
-  /// left out.
+  /// Over each thread's time up to its halt; threads without a ray are left
+  /// out.
   double SlowestThread = 0;
   double FastestThread = 0;
+  /// Over each thread's own time, without its waits at barriers; threads
+  /// without a ray are left out.
+  struct {
+    double Minimum = 0;
+    double Mean = 0;
+    double Median = 0;
+    double Maximum = 0;
+  } PerThread;
   uint32_t ThreadsWithoutRays = 0;
 };
 

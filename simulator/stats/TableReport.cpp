@@ -6,6 +6,9 @@
 
 #include "simulator/stats/TableReport.h"
 
+#include "kernels/profile/RayProfileText.h"
+#include "kernels/profile/RayProfiler.h"
+
 #include "simulator/chip/ChipArea.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -62,10 +65,13 @@ static void writeHead(const RunSummary &Run, raw_ostream &OS) {
                 grouped(Run.Stats.instructions()),
                 Run.instructionsPerCycleAndTm());
   if (std::optional<RayRates> Rates = rayRates(Run)) {
-    OS << formatv("{0,-16}{1,18}   {2:F2} Mrays/s", "rays",
+    OS << formatv("{0,-16}{1,18}   {2:F2} Mrays/s\n", "rays",
                   grouped(Rates->Rays), Rates->Chip / 1e6);
-    OS << format(" (threads: %.3g to %.3g)\n", Rates->SlowestThread / 1e6,
-                 Rates->FastestThread / 1e6);
+    const auto &Thread = Rates->PerThread;
+    OS << format("  of a thread   %.3g to %.3g Mrays/s, mean %.3g, median "
+                 "%.3g\n",
+                 Thread.Minimum / 1e6, Thread.Maximum / 1e6, Thread.Mean / 1e6,
+                 Thread.Median / 1e6);
   }
   OS << '\n';
 }
@@ -122,6 +128,8 @@ static void writeParts(const RunSummary &Run, raw_ostream &OS) {
 void writeTable(const RunSummary &Run, const HostSpeed &Speed,
                 raw_ostream &OS) {
   writeHead(Run, OS);
+  if (std::optional<RayProfile> Sum = sumOf(Run.RayProfiles))
+    OS << describe(*Sum) << '\n';
   writeLosses(Run, OS);
   writeParts(Run, OS);
   double Million = Run.Stats.instructions() / 1e6;

@@ -6,6 +6,8 @@
 
 #include "simulator/tools/Options.h"
 
+#include "simulator/chip/ChipFile.h"
+
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Option/Arg.h"
 #include "llvm/Option/ArgList.h"
@@ -68,6 +70,8 @@ public:
                                 std::min(Cores, MaxHostThreads));
     Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
     Result.StatisticsOutput = Arguments.getLastArgValue(OPT_stats).str();
+    Result.ChipSettings = Arguments.getAllArgValues(OPT_set);
+    readCacheTrace(Result);
     readMemoryDumps(Result);
     readProgram(Result);
     readImage(Result);
@@ -97,6 +101,23 @@ private:
           "': expected a whole number from " + Twine(Min) + " to " +
           Twine(Max));
     return Default;
+  }
+
+  void readCacheTrace(Options &Result) {
+    Result.CacheTraceOutput = Arguments.getLastArgValue(OPT_trace_cache).str();
+    Result.TracedDeletion.Thread =
+        uint32_t(number(OPT_trace_cache_thread, 0, MaxThreads - 1, 0));
+    Result.TracedDeletion.Deletion =
+        number(OPT_trace_cache_deletion, 1, INT64_MAX, 1);
+    if (Arguments.hasArg(OPT_trace_cache)) {
+      if (Result.CacheTraceOutput.empty())
+        error("--trace-cache is empty; give it the path of the file to write");
+      return;
+    }
+    for (OptionId Id : {OPT_trace_cache_thread, OPT_trace_cache_deletion})
+      if (const Arg *Argument = Arguments.getLastArg(Id))
+        error(Argument->getSpelling().rtrim('=') +
+              " has no meaning without --trace-cache");
   }
 
   void readMemoryDumps(Options &Result) {

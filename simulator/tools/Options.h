@@ -8,6 +8,7 @@
 #define TP_SIMULATOR_TOOLS_OPTIONS_H
 
 #include "kernels/common/LaunchSetup.h"
+#include "kernels/profile/DeletionRecorder.h"
 #include "simulator/tools/MemoryDump.h"
 
 #include "llvm/ADT/ArrayRef.h"
@@ -32,6 +33,8 @@ struct Options {
   std::string Program;
   std::vector<std::string> ProgramArguments;
   std::string Chip;
+  /// `<path>=<value>` each.
+  std::vector<std::string> ChipSettings;
   /// Empty: no scene.
   std::string Scene;
   RenderOptions Rendering;
@@ -42,6 +45,9 @@ struct Options {
   /// JSON file, `-` for standard output; empty: none.
   std::string StatisticsOutput;
   std::vector<MemoryDumpRequest> MemoryDumps;
+  /// JSON file for a deletion in a cache; empty: none.
+  std::string CacheTraceOutput;
+  DeletionRequest TracedDeletion;
   unsigned HostThreads = 1;
   /// 0: no limit.
   uint64_t MaxCycles = 0;

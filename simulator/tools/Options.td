@@ -25,6 +25,8 @@ def print_chip : LongFlag<"print-chip",
                       "Print the chip with every value resolved, as a chip file">;
 
 defm chip : LongValue<"chip", "<name|file.yaml>", "Chip (default: report-512x8)">;
+defm set : LongValue<"set", "<path>=<value>",
+                 "Another value for a key of the chip file">;
 defm scene : LongValue<"scene", "<file>", "glTF or GLB scene to render">;
 defm size : LongValue<"size", "<width>x<height>",
                   "Size of the image (default: 256x256)">;
@@ -40,6 +42,12 @@ defm stats : LongValue<"stats", "<file>",
                    "Write the statistics as JSON; - is standard output">;
 defm dump_memory : LongValue<"dump-memory", "<variable>=<file>",
                          "Write a variable's bytes after the run">;
+defm trace_cache : LongValue<"trace-cache", "<file>",
+                         "Show a deletion in a cache of the BVH; write it as JSON">;
+defm trace_cache_thread : LongValue<"trace-cache-thread", "<n>",
+                                "Whose cache (default: 0)">;
+defm trace_cache_deletion : LongValue<"trace-cache-deletion", "<n>",
+                                  "Its how many-th deletion (default: 1)">;
 defm host_threads : LongValue<"host-threads", "<n>",
                           "Threads of the host to use (default: all)">;
 defm max_cycles : LongValue<"max-cycles", "<n>",

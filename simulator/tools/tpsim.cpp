@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/chip/ChipFile.h"
+#include "simulator/chip/ChipSettings.h"
 #include "simulator/tools/Options.h"
 #include "simulator/tools/Simulation.h"
 
@@ -38,6 +39,8 @@ static Expected<int> run(int Argc, char **Argv) {
   }
   Expected<tp::ChipConfig> Chip =
       tp::loadChip(Request->Chip, chipFolder(Argv[0]));
+  if (Chip && !Request->ChipSettings.empty())
+    Chip = tp::withSettings(*Chip, Request->ChipSettings);
   if (!Chip)
     return Chip.takeError();
   if (Request->PrintChip) {

@@ -67,6 +67,29 @@ TEST(RayRates, UseEachThreadsOwnTime) {
   EXPECT_EQ(Rates->ThreadsWithoutRays, 0u);
 }
 
+// Thread 0 waits 60 of its 100 cycles at the barrier: 20 ns are its own.
+TEST(RayRates, DoNotCountWaitsAtBarriers) {
+  SmallRun Small;
+  Small.Stats.Threads[0].Lost[unsigned(Loss::Barrier)] = 60;
+  RunSummary Run = Small.summary();
+  Run.Rays = {5, 10};
+  std::optional<RayRates> Rates = rayRates(Run);
+  EXPECT_DOUBLE_EQ(Rates->SlowestThread, 5 / 50e-9);
+  EXPECT_DOUBLE_EQ(Rates->PerThread.Minimum, 5 / 20e-9);
+  EXPECT_DOUBLE_EQ(Rates->PerThread.Mean, 7.5 / 20e-9);
+  EXPECT_DOUBLE_EQ(Rates->PerThread.Median, 7.5 / 20e-9);
+  EXPECT_DOUBLE_EQ(Rates->PerThread.Maximum, 10 / 20e-9);
+}
+
+TEST(RayRates, MedianOfThreeIsTheMiddleOne) {
+  SmallRun Small;
+  Small.Chip.TmCount = 3;
+  Small.Stats.Threads.push_back(Small.Stats.Threads[1]);
+  RunSummary Run = Small.summary();
+  Run.Rays = {5, 10, 40};
+  EXPECT_DOUBLE_EQ(rayRates(Run)->PerThread.Median, 10 / 20e-9);
+}
+
 TEST(RayRates, LeaveOutThreadsWithoutRays) {
   SmallRun Small;
   RunSummary Run = Small.summary();
