@@ -19,6 +19,7 @@
 #include "kernels/bvh/TraversalStack.h"
 #include "kernels/bvh/TriangleIntersection.h"
 #include "kernels/common/Inline.h"
+#include "kernels/common/RayEvents.h"
 #include "kernels/common/SceneLayout.h"
 
 namespace tp {
@@ -90,12 +91,14 @@ findClosestHitBelow(const BvhMemory &Memory, BvhReference Reference,
   Hit Nearest = Found;
   for (;;) {
     if (!isLeaf(Reference)) {
+      rayEvent(RayEvent::NodeFromMemory, Reference);
       const char *Node = Memory.Nodes + Reference;
       const WideChildren Children(Node + Format::ChildOffset);
       if (descendToNearest(Boxes.test(Node, Nearest.Distance),
                            Children.References, Stack, Reference))
         continue;
     } else {
+      rayEvent(RayEvent::TrianglesFromMemory, Reference);
       const uint32_t First = leafFirst(Reference);
       intersectTriangles(Memory.Triangles + First, First, leafCount(Reference),
                          R, Nearest);
@@ -117,12 +120,14 @@ isBlockedBelow(const BvhMemory &Memory, BvhReference Reference, const Ray &R,
   TraversalStack Stack(Entries);
   do {
     if (!isLeaf(Reference)) {
+      rayEvent(RayEvent::NodeFromMemory, Reference);
       const char *Node = Memory.Nodes + Reference;
       const WideChildren Children(Node + Format::ChildOffset);
       const BoxDistances D = Boxes.test(Node, MaxDistance);
       for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
         Stack.pushIf(D.isHit(Child), Children.References[Child]);
     } else {
+      rayEvent(RayEvent::TrianglesFromMemory, Reference);
       const uint32_t First = leafFirst(Reference);
       Hit Found{MaxDistance, kNoTriangle};
       intersectTriangles(Memory.Triangles + First, First, leafCount(Reference),
