@@ -23,24 +23,40 @@ public:
   /// Tests the boxes of the node whose words begin at \p Node.
   TP_KERNEL_INLINE BoxDistances test(const char *Node,
                                      float MaxDistance) const {
-    const auto *Quantized = reinterpret_cast<const QuantizedBvhNode *>(Node);
-    const uint32_t Scales = Quantized->Scales;
-    const Slabs SlabsX = X.load(Node, Quantized->Origin[0]);
-    const Slabs SlabsY = Y.load(Node, Quantized->Origin[1]);
-    const Slabs SlabsZ = Z.load(Node, Quantized->Origin[2]);
+    return testFrom<NodeStore::Memory>(Node, MaxDistance);
+  }
+
+  /// The same for a node in the local store.
+  TP_KERNEL_INLINE BoxDistances testInLocalStore(const char *Node,
+                                                 float MaxDistance) const {
+    return testFrom<NodeStore::Local>(Node, MaxDistance);
+  }
+
+private:
+  template <NodeStore From>
+  TP_KERNEL_INLINE BoxDistances testFrom(const char *Node,
+                                         float MaxDistance) const {
     BoxDistances Result;
     for (unsigned Child = 0; Child != kWideBvhWidth; ++Child) {
       Result.Enter[Child] = 0.0f;
       Result.Leave[Child] = MaxDistance;
     }
     PlaneNumbers Decoder;
+    const uint32_t Scales =
+        reinterpret_cast<const QuantizedBvhNode *>(Node)->Scales;
+    const Slabs SlabsX = X.load(Node, 0);
     X.clip(SlabsX, quantizedScale(Scales, 0), Decoder, Result);
+    if (From == NodeStore::Local)
+      loadNoEarlier(Node, Result);
+    const Slabs SlabsY = Y.load(Node, 1);
     Y.clip(SlabsY, quantizedScale(Scales, 1), Decoder, Result);
+    if (From == NodeStore::Local)
+      loadNoEarlier(Node, Result);
+    const Slabs SlabsZ = Z.load(Node, 2);
     Z.clip(SlabsZ, quantizedScale(Scales, 2), Decoder, Result);
     return Result;
   }
 
-private:
   /// The words of one axis of a node.
   struct Slabs {
     float Origin;
@@ -64,8 +80,9 @@ private:
       Far = Lower + (RayDirection < 0.0f ? 0 : 4);
     }
 
-    TP_KERNEL_INLINE Slabs load(const char *Node, float NodeOrigin) const {
-      return {NodeOrigin, *reinterpret_cast<const uint32_t *>(Node + Near),
+    TP_KERNEL_INLINE Slabs load(const char *Node, uint32_t Index) const {
+      return {reinterpret_cast<const QuantizedBvhNode *>(Node)->Origin[Index],
+              *reinterpret_cast<const uint32_t *>(Node + Near),
               *reinterpret_cast<const uint32_t *>(Node + Far)};
     }
 

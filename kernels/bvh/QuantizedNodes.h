@@ -28,9 +28,10 @@ struct QuantizedNodes {
   static const char *nodes(const SceneView &Scene) {
     if (!Scene.QuantizedNodes) {
       if (threadId() == 0)
-        fprintf(stderr, "error: the scene has no quantized nodes, which this "
-                        "kernel wants; let the host build the BVH (--bvh host) "
-                        "or compile it for full nodes\n");
+        fputs("error: the scene has no quantized nodes, which this "
+              "kernel wants; let the host build the BVH (--bvh host) "
+              "or compile it for full nodes\n",
+              stderr);
       exit(1);
     }
     return Scene.QuantizedNodes;

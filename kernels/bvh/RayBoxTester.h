@@ -23,6 +23,22 @@ struct BoxDistances {
   bool isHit(unsigned Child) const { return Enter[Child] <= Leave[Child]; }
 };
 
+/// Where a box tester finds a node.
+enum class NodeStore { Memory, Local };
+
+/// The compiler takes every load for a slow one and asks for all words early,
+/// more than there are registers. Here it shall not do so before it has
+/// \p Result.
+TP_KERNEL_INLINE void loadNoEarlier([[maybe_unused]] const char *&Node,
+                                    [[maybe_unused]] BoxDistances &D) {
+#ifdef __tp__
+  asm(""
+      : "+r"(Node)
+      : "f"(D.Enter[0]), "f"(D.Enter[1]), "f"(D.Enter[2]), "f"(D.Enter[3]),
+        "f"(D.Leave[0]), "f"(D.Leave[1]), "f"(D.Leave[2]), "f"(D.Leave[3]));
+#endif
+}
+
 /// What the box tests of one ray share.
 class RayBoxTester {
 public:
@@ -37,13 +53,13 @@ public:
   /// Tests the boxes of the node whose words begin at \p Node.
   TP_KERNEL_INLINE BoxDistances test(const char *Node,
                                      float MaxDistance) const {
-    return testFrom<Store::Memory>(Node, MaxDistance);
+    return testFrom<NodeStore::Memory>(Node, MaxDistance);
   }
 
   /// The same for a node in the local store.
   TP_KERNEL_INLINE BoxDistances testInLocalStore(const char *Node,
                                                  float MaxDistance) const {
-    return testFrom<Store::Local>(Node, MaxDistance);
+    return testFrom<NodeStore::Local>(Node, MaxDistance);
   }
 
   /// The inverse of a direction's component, finite for every direction, so
@@ -56,9 +72,7 @@ public:
   }
 
 private:
-  enum class Store { Memory, Local };
-
-  template <Store From>
+  template <NodeStore From>
   TP_KERNEL_INLINE BoxDistances testFrom(const char *Node,
                                          float MaxDistance) const {
     BoxDistances Result;
@@ -70,7 +84,7 @@ private:
       Result.Leave[Child] =
           minimum((FarXs.Plane[Child] - Origin.X) * Inverse.X, MaxDistance);
     }
-    if (From == Store::Local)
+    if (From == NodeStore::Local)
       loadNoEarlier(Node, Result);
     const Side NearYs = load(Node + NearY, 1);
     const Side FarYs = load(Node + FarY, 1);
@@ -80,7 +94,7 @@ private:
       Result.Leave[Child] = minimum((FarYs.Plane[Child] - Origin.Y) * Inverse.Y,
                                     Result.Leave[Child]);
     }
-    if (From == Store::Local)
+    if (From == NodeStore::Local)
       loadNoEarlier(Node, Result);
     const Side NearZs = load(Node + NearZ, 2);
     const Side FarZs = load(Node + FarZ, 2);
@@ -91,19 +105,6 @@ private:
                                     Result.Leave[Child]);
     }
     return Result;
-  }
-
-  /// The compiler takes every load for a slow one and asks for all words early,
-  /// more than there are registers. Here it shall not do so before it has
-  /// \p Result.
-  TP_KERNEL_INLINE static void loadNoEarlier([[maybe_unused]] const char *&Node,
-                                             [[maybe_unused]] BoxDistances &D) {
-#ifdef __tp__
-    asm(""
-        : "+r"(Node)
-        : "f"(D.Enter[0]), "f"(D.Enter[1]), "f"(D.Enter[2]), "f"(D.Enter[3]),
-          "f"(D.Leave[0]), "f"(D.Leave[1]), "f"(D.Leave[2]), "f"(D.Leave[3]));
-#endif
   }
 
   static uint32_t nearOffset(float Component) {

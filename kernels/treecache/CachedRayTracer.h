@@ -59,9 +59,10 @@ public:
         Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
       } else if (!isLoadedLeaf(Link)) {
         const ChildWords Children(Link);
-        if (descendToNearest(testBoxes(Boxes, Slots.base() + linkedSlot(Link),
+        if (descendToNearest(
+                Boxes.testInLocalStore(Slots.base() + linkedSlot(Link),
                                        Nearest.Distance),
-                             Children.Words, Stack, Word))
+                Children.Words, Stack, Word))
           continue;
       } else if (intersectPart(Link, R, Nearest)) {
         Word = linkedSlot(Link) + Format::RestOffset;
@@ -85,8 +86,8 @@ public:
           return true;
       } else if (!isLoadedLeaf(Link)) {
         const ChildWords Children(Link);
-        const BoxDistances D =
-            testBoxes(Boxes, Slots.base() + linkedSlot(Link), MaxDistance);
+        const BoxDistances D = Boxes.testInLocalStore(
+            Slots.base() + linkedSlot(Link), MaxDistance);
         for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
           Stack.pushIf(D.isHit(Child), Children.Words[Child]);
       } else {
@@ -145,14 +146,6 @@ private:
                             static_cast<uint32_t>(Top - Entries)});
 #endif
     return true;
-  }
-
-  TP_KERNEL_INLINE static BoxDistances
-  testBoxes(const BoxTester &Boxes, const char *Node, float MaxDistance) {
-    if constexpr (requires { Boxes.testInLocalStore(Node, MaxDistance); })
-      return Boxes.testInLocalStore(Node, MaxDistance);
-    else
-      return Boxes.test(Node, MaxDistance);
   }
 
   /// Replaces \p Found by the nearest hit that is nearer in the part of a leaf
