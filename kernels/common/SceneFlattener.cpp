@@ -124,7 +124,8 @@ static PlaneEquation makeRow(Double3 Direction, double Divisor, Double3 Zero) {
           float(-dotProduct(Direction, Zero))};
 }
 
-static TriangleRecord makeTriangle(const Triangle &Shape, Vector3 BaseColor) {
+static TriangleRecord makeTriangle(const Triangle &Shape,
+                                   const Material &Surface) {
   const Double3 Vertex = toDouble(Shape.Vertices[0]);
   const Double3 EdgeA = subtract(toDouble(Shape.Vertices[1]), Vertex);
   const Double3 EdgeB = subtract(toDouble(Shape.Vertices[2]), Vertex);
@@ -134,8 +135,8 @@ static TriangleRecord makeTriangle(const Triangle &Shape, Vector3 BaseColor) {
   Record.Plane = makeRow(Normal, std::sqrt(LengthSquared), Vertex);
   Record.U = makeRow(crossProduct(EdgeB, Normal), LengthSquared, Vertex);
   Record.V = makeRow(crossProduct(Normal, EdgeA), LengthSquared, Vertex);
-  Record.BaseColor = BaseColor;
-  Record.Material = Shape.Material;
+  Record.BaseColor = Surface.BaseColor;
+  Record.Emitter = Surface.isEmissive() ? Shape.Material : kNoEmitter;
   return Record;
 }
 
@@ -149,7 +150,7 @@ static CameraRecord makeCamera(const Camera &Source) {
 /// Triangle \p Number of the file.
 static TriangleRecord makeTriangle(const Scene &Source, size_t Number) {
   const Triangle &Shape = Source.Triangles[Number];
-  return makeTriangle(Shape, Source.Materials[Shape.Material].BaseColor);
+  return makeTriangle(Shape, Source.Materials[Shape.Material]);
 }
 
 /// \p LargestCoordinate is that of all boxes and origins of rays.

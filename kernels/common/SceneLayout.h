@@ -98,6 +98,9 @@ struct PlaneEquation {
   float Offset = 0;
 };
 
+/// Of a triangle that emits no light.
+inline constexpr uint32_t kNoEmitter = 0xFFFFFFFFu;
+
 /// A triangle in the form that intersects with the fewest operations: its plane
 /// with a unit normal, and the barycentric coordinates U (of vertex 1) and V
 /// (of vertex 2) as functions of the hit point. After D. Baldwin and M. Weber,
@@ -109,7 +112,8 @@ struct TriangleRecord {
   PlaneEquation V;
   /// A copy of the material's, to save a dependent load.
   Vector3 BaseColor;
-  uint32_t Material;
+  /// The number of its material if that emits light, else kNoEmitter.
+  uint32_t Emitter;
 };
 
 struct MaterialRecord {

@@ -16,6 +16,7 @@
 
 #include "kernels/bvh/Ray.h"
 #include "kernels/common/ColorEncoding.h"
+#include "kernels/common/EarlyLoad.h"
 #include "kernels/common/PixelQueue.h"
 #include "kernels/common/Random.h"
 #include "kernels/common/RayEvents.h"
@@ -46,6 +47,15 @@ struct LightPoint {
   Vector3 UnitNormal;
   Vector3 Emission;
 };
+
+/// Keeps the load of \p Light where it stands (EarlyLoad.h).
+TP_KERNEL_INLINE void loadHere(LightRecord &Light) {
+  loadHere(Light.Vertex);
+  loadHere(Light.Edges[0]);
+  loadHere(Light.Edges[1]);
+  loadHere(Light.UnitNormal);
+  loadHere(Light.Emission);
+}
 
 /// One thread of the path tracer. \p RayTracer has
 ///   Hit findClosestHit(const Ray &R, float MaxDistance): the first triangle
@@ -79,9 +89,10 @@ public:
 private:
   Ray primaryRay(PixelPlace Place, uint32_t Pixel, uint32_t Sample) const;
   Vector3 tracePath(Ray R, uint32_t Pixel, uint32_t Sample);
-  Vertex makeVertex(const Ray &R, const Hit &Found,
-                    const TriangleRecord &Triangle) const;
+  Vertex makeVertex(const Ray &R, const Hit &Found, Vector3 Normal,
+                    Vector3 BaseColor) const;
   LightPoint samplePoint(RandomWords Random) const;
+
   Vector3 reflectLight(const Vertex &At, const LightPoint &Light);
 
   RayTracer Rays;
@@ -114,15 +125,14 @@ inline Ray PathTracer<RayTracer>::primaryRay(PixelPlace Place, uint32_t Pixel,
 }
 
 template <class RayTracer>
-inline Vertex
-PathTracer<RayTracer>::makeVertex(const Ray &R, const Hit &Found,
-                                  const TriangleRecord &Triangle) const {
+inline Vertex PathTracer<RayTracer>::makeVertex(const Ray &R, const Hit &Found,
+                                                Vector3 Normal,
+                                                Vector3 BaseColor) const {
   Vertex Result;
-  const Vector3 Normal = Triangle.Plane.Direction;
   Result.UnitNormal = dot(Normal, R.Direction) > 0.0f ? -Normal : Normal;
   Result.Origin = R.Origin + R.Direction * Found.Distance +
                   Result.UnitNormal * SurfaceOffset;
-  Result.BaseColor = Triangle.BaseColor;
+  Result.BaseColor = BaseColor;
   return Result;
 }
 
@@ -130,9 +140,16 @@ PathTracer<RayTracer>::makeVertex(const Ray &R, const Hit &Found,
 template <class RayTracer>
 inline LightPoint PathTracer<RayTracer>::samplePoint(RandomWords Random) const {
   const RandomChoice Cell = chooseIndex(Random.X, LightCount);
-  const LightChoice Choice = Scene.LightChoices[Cell.Index];
-  const bool Keep = Cell.Remainder < Choice.Keep;
-  const LightRecord &Light = Scene.Lights[Keep ? Cell.Index : Choice.Alias];
+  LightChoice Choice = Scene.LightChoices[Cell.Index];
+  // Without waiting for the choice: mostly it is this one.
+  LightRecord Light = Scene.Lights[Cell.Index];
+  loadHere(Choice.Keep);
+  loadHere(Choice.Alias);
+  loadHere(Light);
+  if (Cell.Remainder >= Choice.Keep) {
+    Light = Scene.Lights[Choice.Alias];
+    loadHere(Light);
+  }
   return {sampleTriangle(Light.Vertex, Light.Edges[0], Light.Edges[1], Random.Y,
                          Random.Z),
           Light.UnitNormal, Light.Emission};
@@ -175,15 +192,20 @@ inline Vector3 PathTracer<RayTracer>::tracePath(Ray R, uint32_t Pixel,
     if (Found.Triangle == kNoTriangle)
       return Radiance;
     // Everything that a vertex may need is loaded before the first decision, to
-    // wait for memory twice instead of four times. Dimension 0 is the camera's;
-    // there are two events at each vertex.
+    // wait for memory once. Dimension 0 is the camera's; there are two events
+    // at each vertex.
     const TriangleRecord &Triangle = Scene.Triangles[Found.Triangle];
+    Vector3 Normal = Triangle.Plane.Direction;
+    Vector3 BaseColor = Triangle.BaseColor;
+    uint32_t Emitter = Triangle.Emitter;
+    loadHere(Normal);
+    loadHere(BaseColor);
+    loadHere(Emitter);
     const LightPoint Light =
         samplePoint(randomWords(Pixel, Sample, 2 * Depth - 1, Seed));
-    const Vector3 Emission = Scene.Materials[Triangle.Material].Emission;
-    const Vertex At = makeVertex(R, Found, Triangle);
-    const float EmissionShare = Depth == 1 ? 1.0f : 0.0f;
-    Radiance = Radiance + Emission * EmissionShare;
+    const Vertex At = makeVertex(R, Found, Normal, BaseColor);
+    if (Depth == 1 && Emitter != kNoEmitter)
+      Radiance = Scene.Materials[Emitter].Emission;
 
     Throughput = Throughput * At.BaseColor;
     if (Throughput.X + Throughput.Y + Throughput.Z == 0.0f)
