@@ -10,6 +10,8 @@
 #include "kernels/common/LaunchArguments.h"
 #include "kernels/native/HostMemory.h"
 #include "kernels/native/RunnerOptions.h"
+#include "kernels/profile/RayProfileText.h"
+#include "kernels/profile/RayProfiler.h"
 #include "scenes/image/PngWriter.h"
 #include "scenes/loader/SceneLoader.h"
 
@@ -35,6 +37,17 @@ static void reportSpeed(uint64_t Rays, double Seconds) {
   std::fprintf(stderr,
                "%" PRIu64 " rays in %.3f s: %.2f million rays per second\n",
                Rays, Seconds, double(Rays) / Seconds / 1e6);
+}
+
+/// Prints what the rays of a finished kernel did.
+static Status reportRays(const RayProfiler &Rays) {
+  if (Status Checked = Rays.check(); !Checked)
+    return Checked;
+  const std::optional<RayProfile> Sum = sumOf(Rays.threads());
+  if (!Sum)
+    return Error{"--ray-profile: the kernel reports no rays"};
+  std::fputs(describe(*Sum).c_str(), stderr);
+  return success();
 }
 
 int runNatively(KernelMain Kernel, const char *Program,
@@ -67,6 +80,8 @@ int runNatively(KernelMain Kernel, const char *Program,
     return fail(Program, Placed.message());
   host::setLocalStoreBytes(Options->LocalStoreBytes);
 
+  RayProfiler Rays(Options->Threads);
+  CurrentProfileObserver = Options->RayProfile ? &Rays : nullptr;
   const auto Start = std::chrono::steady_clock::now();
   if (const int Status = runOnHost(Kernel, Options->Threads, *Launch))
     return Status;
@@ -76,6 +91,9 @@ int runNatively(KernelMain Kernel, const char *Program,
       readRayCounts(*Launch, Options->Threads, Memory);
   reportSpeed(std::accumulate(Counts.begin(), Counts.end(), uint64_t(0)),
               Elapsed.count());
+  if (Options->RayProfile)
+    if (const Status Reported = reportRays(Rays); !Reported)
+      return fail(Program, Reported.message());
 
   if (Options->Render.Bvh == BvhOrigin::Kernel) {
     const ErrorOr<std::string> Tree =

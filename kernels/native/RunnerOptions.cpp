@@ -34,6 +34,8 @@ std::string runnerUsage(const std::string &Program) {
          "  --local-store BYTES  local store of each thread, as in 16KiB (" +
          std::to_string(host::kDefaultLocalStoreBytes / 1024) +
          "KiB)\n"
+         "  --ray-profile        print what the rays visited and read from\n"
+         "                       memory\n"
          "  -o FILE              PNG to write (none)\n";
 }
 
@@ -80,6 +82,7 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
     BvhOutput,
     Threads,
     LocalStore,
+    RayProfile,
     Help
   };
   static const option LongOptions[] = {
@@ -92,6 +95,7 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
       {"bvh-output", required_argument, nullptr, BvhOutput},
       {"threads", required_argument, nullptr, Threads},
       {"local-store", required_argument, nullptr, LocalStore},
+      {"ray-profile", no_argument, nullptr, RayProfile},
       {"help", no_argument, nullptr, Help},
       {nullptr, 0, nullptr, 0}};
   // What getopt_long() returns for a word that is no option.
@@ -139,6 +143,9 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
       break;
     case 'o':
       Options.OutputPath = optarg;
+      break;
+    case RayProfile:
+      Options.RayProfile = true;
       break;
     case Help:
       Options.Help = true;

@@ -26,6 +26,8 @@ struct RunnerOptions {
   unsigned Threads = 1;
   /// Of each thread; a multiple of 16.
   uint32_t LocalStoreBytes = host::kDefaultLocalStoreBytes;
+  /// Print what the kernel's rays did.
+  bool RayProfile = false;
   /// What the kernel's main() gets behind the program's name.
   std::vector<std::string> KernelArguments;
   /// PNG to write; none if empty.
