@@ -132,19 +132,18 @@ static std::string pointerText(const TracedPointer &Pointer) {
 }
 
 static void writeSlots(ArrayRef<TracedSlot> Slots, raw_ostream &OS) {
-  constexpr const char *Row = "{0,5}  {1,-6}  {2,-12}{3}\n";
-  OS << formatv(Row, "INDEX", "LOADED", "TYPE", "POINTERS");
+  constexpr const char *Row = "{0,5}  {1,-6}  {2,-12}{3}";
+  OS << formatv(Row, "INDEX", "LOADED", "TYPE", "POINTERS") << '\n';
   for (auto [Index, Slot] : enumerate(Slots)) {
     std::string Pointers;
     for (const TracedPointer &Pointer : Slot.Pointers)
       Pointers += formatv("{0,-11}", pointerText(Pointer));
     if (Slot.OnPath)
       Pointers += "<-";
-    OS << formatv(Row, Index, Slot.Loaded ? "1" : "-",
-                  !Slot.Loaded  ? "<empty>"
-                  : Slot.IsLeaf ? "Leaf"
-                                : "Interior",
-                  StringRef(Pointers).rtrim());
+    const char *Type = Slot.IsLeaf ? "Leaf" : "Interior";
+    std::string Line = formatv(Row, Index, Slot.Loaded ? "1" : "-",
+                               Slot.Loaded ? Type : "<empty>", Pointers);
+    OS << StringRef(Line).rtrim() << '\n';
   }
 }
 

@@ -7,12 +7,14 @@
 #include "simulator/tools/Simulation.h"
 
 #include "kernels/common/BuiltBvh.h"
+#include "kernels/profile/RayProfiler.h"
 #include "scenes/image/PngWriter.h"
 #include "scenes/loader/SceneLoader.h"
 #include "simulator/core/Engine.h"
 #include "simulator/loader/Symbolizer.h"
 #include "simulator/stats/JsonReport.h"
 #include "simulator/stats/TableReport.h"
+#include "simulator/tools/CacheTrace.h"
 #include "simulator/tools/Interrupt.h"
 #include "simulator/tools/ProgramMemory.h"
 #include "simulator/tools/ProgressLine.h"
@@ -61,7 +63,8 @@ static llvm::Error checkWritable(StringRef Path) {
 
 static llvm::Error checkOutputs(const Options &Request) {
   SmallVector<StringRef> Paths = {Request.ImageOutput, Request.BvhOutput,
-                                  Request.StatisticsOutput};
+                                  Request.StatisticsOutput,
+                                  Request.CacheTraceOutput};
   for (const MemoryDumpRequest &Dump : Request.MemoryDumps)
     Paths.push_back(Dump.Path);
   for (StringRef Path : Paths)
@@ -96,16 +99,18 @@ loadRequestedScene(const Options &Request) {
   return std::move(*Loaded);
 }
 
-static llvm::Error writeStatistics(const RunSummary &Run,
-                                   const std::string &Path) {
+/// Writes what \p Write writes to the file at \p Path, or to standard output if
+/// that is `-`.
+static llvm::Error writeTo(const std::string &Path,
+                           function_ref<void(raw_ostream &)> Write) {
   if (Path == "-") {
-    writeJson(Run, outs());
+    Write(outs());
     return llvm::Error::success();
   }
   std::error_code EC;
   raw_fd_ostream File(Path, EC);
   if (!EC) {
-    writeJson(Run, File);
+    Write(File);
     File.close();
     EC = File.error();
     File.clear_error();
@@ -196,7 +201,8 @@ static llvm::Error writeResults(const RunSummary &Run, const Options &Request,
         !S)
       Note(createStringError(S.message()));
   if (!Request.StatisticsOutput.empty())
-    Note(writeStatistics(Run, Request.StatisticsOutput));
+    Note(writeTo(Request.StatisticsOutput,
+                 [&](raw_ostream &OS) { writeJson(Run, OS); }));
   Note(checkSums(Run.Chip, Run.Stats));
   outs().flush();
   if (outs().has_error()) {
@@ -205,6 +211,33 @@ static llvm::Error writeResults(const RunSummary &Run, const Options &Request,
     outs().clear_error();
   }
   return Failures;
+}
+
+/// Checks the run's ray events and adds them to \p Run.
+static llvm::Error addRayProfiles(const RayProfiler &Rays, RunSummary &Run) {
+  if (Status S = Rays.check(); !S)
+    return createStringError(S.message());
+  std::vector<RayProfile> Threads = Rays.threads();
+  if (sumOf(Threads))
+    Run.RayProfiles = std::move(Threads);
+  return llvm::Error::success();
+}
+
+/// Prints and writes the deletion that the user asked for.
+static llvm::Error writeCacheTrace(const RayProfiler &Rays,
+                                   const Options &Request,
+                                   const LaunchBlock &Launch,
+                                   const ProgramMemory &Memory) {
+  ErrorOr<const DeletionRecord *> Record = Rays.recordedDeletion();
+  if (!Record)
+    return createStringError("--trace-cache: " + Record.message());
+  Expected<CacheTrace> Trace =
+      traceDeletion(Request.TracedDeletion, **Record, Launch, Memory);
+  if (!Trace)
+    return Trace.takeError();
+  writeTable(*Trace, errs());
+  return writeTo(Request.CacheTraceOutput,
+                 [&](raw_ostream &OS) { writeJson(*Trace, OS); });
 }
 
 /// Everything that a run needs, in the order in which it is set up.
@@ -268,6 +301,26 @@ static RunResult runWithProgress(Engine &Machine, const Options &Request,
       });
 }
 
+/// Hands the run's ray events to \p Rays if the user will see what they say.
+static llvm::Error observeRays(RayProfiler &Rays, const Options &Request,
+                               const ChipConfig &Chip, Engine &Machine) {
+  if (!Request.CacheTraceOutput.empty()) {
+    if (Request.Scene.empty())
+      return createStringError(
+          "--trace-cache has no meaning without --scene; give the scene to "
+          "render");
+    if (Request.TracedDeletion.Thread >= Chip.threadCount())
+      return createStringError("--trace-cache-thread: the chip has threads 0 "
+                               "to " +
+                               Twine(Chip.threadCount() - 1));
+    Rays.recordDeletion(Request.TracedDeletion);
+  } else if (Request.Quiet && Request.StatisticsOutput.empty()) {
+    return llvm::Error::success();
+  }
+  Machine.setObserver(&Rays);
+  return llvm::Error::success();
+}
+
 Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   Expected<std::unique_ptr<Setup>> Loaded = setUp(Request, Chip);
   if (!Loaded)
@@ -282,6 +335,9 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   if (!Dumps)
     return Dumps.takeError();
   if (llvm::Error E = checkOutputs(Request))
+    return E;
+  RayProfiler Rays(Chip.threadCount());
+  if (llvm::Error E = observeRays(Rays, Request, Chip, Machine))
     return E;
 
   ProgressLine Line(!Request.Quiet);
@@ -299,7 +355,13 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
     Run.Image = ImageSettings{Image.Width, Image.Height, Image.SamplesPerPixel,
                               Image.MaxDepth, Image.Seed};
   }
-  llvm::Error Failures = writeResults(Run, Request, Ready.Block, Ready.Launch);
+  llvm::Error Failures = addRayProfiles(Rays, Run);
+  Failures = joinErrors(std::move(Failures),
+                        writeResults(Run, Request, Ready.Block, Ready.Launch));
+  if (!Request.CacheTraceOutput.empty())
+    Failures =
+        joinErrors(std::move(Failures),
+                   writeCacheTrace(Rays, Request, Ready.Block, Ready.Launch));
   for (const MemoryDump &Dump : *Dumps)
     Failures = joinErrors(std::move(Failures), write(Dump, Ready.Global));
   if (Request.Rendering.Bvh == BvhOrigin::Kernel && Run.ExitStatus == 0)

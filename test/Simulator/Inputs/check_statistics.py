@@ -47,4 +47,18 @@ if abs(sum(areas.values()) - total) > 1e-9 * total:
 if "rays" in threads:
     total_rays = statistics["rays"]["total"] if "rays" in statistics else 0
     check("rays", sum(threads["rays"]), total_rays)
+if "ray_profile" in statistics:
+    profile = statistics["ray_profile"]
+    check("rays with events", sum(profile["rays"].values()),
+          statistics["rays"]["total"])
+    for name in profile["per_ray"]:
+        check(f"{name} by thread", sum(threads[name]), profile[name])
+    if "cache" in profile:
+        cache = profile["cache"]
+        check("visits", cache["hits"] + cache["loads"], cache["visits"])
+        check("hits by depth", sum(cache["hits_by_depth"]), cache["hits"])
+        check("loads by depth", sum(cache["loads_by_depth"]), cache["loads"])
+        check("deletions by size", sum(cache["slots_freed"]["histogram"]),
+              cache["deletions"])
+        check("hits by thread", sum(threads["cache_hits"]), cache["hits"])
 print("all sums agree")
