@@ -49,6 +49,7 @@ def parse_arguments():
         metavar="FORMAT", help=f"of {', '.join(FORMATS)} ({FORMATS[0]})")
     add("--chip", default="report-512x8", help="(report-512x8)")
     add("--size", default="256x256", help="of the picture (256x256)")
+    add("--spp", type=int, default=1, help="samples per pixel (1)")
     add("--jobs", type=int, default=os.cpu_count(),
         help="runs at a time (as many as the host has cores)")
     add("--bin", type=pathlib.Path, default=ROOT / "build/bin",
@@ -64,13 +65,15 @@ def parse_arguments():
              f"'{SECTION_BEGIN}' and '{SECTION_END}', and the charts into the "
              "folder images beside it")
     arguments = parser.parse_args()
-    if min(arguments.sizes + arguments.latencies + [arguments.jobs]) < 1:
-        parser.error("sizes, latencies and jobs are positive")
+    if min(*arguments.sizes, *arguments.latencies, arguments.spp,
+           arguments.jobs) < 1:
+        parser.error("sizes, latencies, samples and jobs are positive")
     return arguments
 
 
 def run_experiment(arguments):
-    picture = ["--size", arguments.size, "--spp", "1", "--depth", "1"]
+    picture = ["--size", arguments.size, "--spp", str(arguments.spp),
+               "--depth", "1"]
     simulator = Simulator(ROOT, arguments.bin, arguments.folder, arguments.chip,
                           picture)
     for scene in arguments.scenes:
