@@ -65,6 +65,10 @@ template <class Word, Subnormals Mode> struct Handlers {
     return Table[unsigned(Op)];
   }
 
+  /// The handler of an instruction behind one that moved the stack pointer:
+  /// traps if that was too far.
+  static Handler<Word> afterStackMove() { return checkStack; }
+
   /// Follows the last word of the text.
   static Handler<Word> endOfText() {
     return trapAtFetch<TrapKind::FetchOutsideText>;
@@ -158,6 +162,16 @@ private:
   static bool isUnknownBefore(ReadyWord Ready) {
     return (Ready & ready::FromGlobalMemory) != 0 &&
            latencyClassOf(ready::producerOf(Ready)) == LatencyClass::Atomic;
+  }
+
+  __attribute__((preserve_none)) static void checkStack(TP_HANDLER_PARAMETERS) {
+    const uint32_t StackPointer = T->Registers[StackPointerRegister];
+    if (StackPointer >= R->Chip.StackLimit) [[likely]]
+      TP_TAIL_CALL of(S->Instruction.Op)(TP_HANDLER_ARGUMENTS);
+    if (Cycle >= R->End)
+      return leave(T, S, Cycle, R);
+    stopAtTrap(T, R, pcOf(S - 1, R), Cycle, TrapKind::StackOverflow,
+               StackPointer);
   }
 
   template <TrapKind Reason>

@@ -37,9 +37,14 @@ public:
   void addFloatChecked(uint32_t Begin, uint32_t End);
   bool isFloatChecked(uint32_t Address) const;
 
+  /// The stack pointer may not fall below \p Limit. 0 at first: no limit.
+  void setStackLimit(uint32_t Limit) { StackLimit = Limit; }
+  uint32_t stackLimit() const { return StackLimit; }
+
 private:
   uint32_t TextBegin;
   uint32_t Entry;
+  uint32_t StackLimit = 0;
   uint32_t ReadOnlyEnd;
   std::vector<Instruction> Decoded;
   /// Empty, or one per word of the text.

@@ -30,6 +30,7 @@ struct ChipContext {
   uint32_t GlobalBytes = 0;
   uint32_t LocalBegin = 0;
   uint32_t LocalBytes = 0;
+  uint32_t StackLimit = 0;
   uint32_t MemoryLatency = 0;
   uint32_t BranchLatency = 1;
 };

@@ -46,6 +46,8 @@ std::string Trap::what() const {
   case TrapKind::SubnormalResult:
     return "subnormal result " + describeFloat(Address, CheckType::Float) +
            " flushed to zero";
+  case TrapKind::StackOverflow:
+    return at("stack overflow: the stack pointer fell to", Address);
   case TrapKind::BadStream:
     return at("bad stream at", Address);
   }

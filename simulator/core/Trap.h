@@ -23,7 +23,7 @@ struct Trap {
   uint32_t Pc = 0;
   /// The offending data address; the address of the missing instruction; the
   /// code of a `break`; the service of a bad host call; the bits of a
-  /// subnormal.
+  /// subnormal; the stack pointer that has fallen too low.
   uint32_t Address = 0;
   /// Cycle in which the instruction would have issued.
   uint64_t Cycle = 0;

@@ -129,6 +129,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
   Context.GlobalBytes = uint32_t(Global.size() - kGlobalMemoryBegin);
   Context.LocalBegin = Local.Begin;
   Context.LocalBytes = Local.Size;
+  Context.StackLimit = Text.stackLimit();
   Context.MemoryLatency = Chip.MemoryLatency;
   Context.BranchLatency = Chip.Latency[unsigned(LatencyClass::Branch)];
 
@@ -142,16 +143,29 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
   }
 }
 
+/// True for an instruction that computes the stack pointer from itself, as
+/// those of a function's frame do.
+inline bool movesStackPointer(const Instruction &Decoded) {
+  return Decoded.Destination == StackPointerRegister &&
+         std::ranges::find(Decoded.Source, StackPointerRegister) !=
+             std::end(Decoded.Source);
+}
+
 template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
   uint32_t Address = Text.textBegin();
   // Decides on the bank. Messages are as if they were not in the text.
   uint32_t Fetches = Address / 4;
+  bool StackHasMoved = false;
   for (const Instruction &Decoded : Text.instructions()) {
     Slot<Word> S{0, Handlers<Word, Mode>::of(Decoded.Op), Decoded, 0};
+    if (StackHasMoved)
+      S.Execute = Handlers<Word, Mode>::afterStackMove();
     if constexpr (FlushToZero)
       if (Text.isFloatChecked(Address))
-        S.Execute = Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
+        S.Execute = StackHasMoved
+                        ? Handlers<Word, Subnormals::Trap>::afterStackMove()
+                        : Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
     bool IsMessage = Decoded.Op != IllegalOpcode && !takesTime(Decoded.Op);
     if (Decoded.Op != IllegalOpcode && !IsMessage) {
       uint32_t Bank = Fetches % Chip.IcacheBanks;
@@ -160,6 +174,7 @@ void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
           Chip.Latency[unsigned(latencyClassOf(Decoded.Op))], Decoded.Op);
     }
     Slots.push_back(S);
+    StackHasMoved = Text.stackLimit() != 0 && movesStackPointer(Decoded);
     Address += 4;
     if (!IsMessage)
       ++Fetches;

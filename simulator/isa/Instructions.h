@@ -28,6 +28,8 @@ namespace tp {
 
 #include "simulator/isa/InstructionEnums.inc"
 
+/// The integer register that the calling convention makes the stack pointer.
+inline constexpr uint8_t StackPointerRegister = 29;
 /// Number of integer registers, and of float registers.
 inline constexpr unsigned NumIntegerRegisters = 32;
 /// A register number counts the integer registers from 0 and the float

@@ -37,6 +37,8 @@ enum class TrapKind : uint8_t {
   /// function compiled with floating-point checks.
   SubnormalOperand,
   SubnormalResult,
+  /// The stack pointer has fallen below the limit that the linker set it.
+  StackOverflow,
   /// A stream operation on something that is not a stream.
   BadStream,
 };

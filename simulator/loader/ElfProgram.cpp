@@ -206,13 +206,29 @@ uint64_t ElfProgram::imageEnd() const {
   return End;
 }
 
-llvm::Error ElfProgram::checkFits(uint64_t MemoryBytes) const {
+llvm::Error ElfProgram::checkFits(uint64_t MemoryBytes,
+                                  uint32_t LocalStoreBytes) const {
+  if (std::optional<uint32_t> Limit = stackLimit()) {
+    // The local store is the end of the address space.
+    uint32_t Needed = 0u - *Limit;
+    if (Needed > LocalStoreBytes)
+      return error(
+          "the program needs " + Twine(Needed) +
+          " bytes of local store for its stack and thread_local "
+          "objects, the chip has " +
+          Twine(LocalStoreBytes) +
+          "; choose a chip with more local_store.bytes (--chip, --set)");
+  }
   uint64_t End = imageEnd();
   if (End <= MemoryBytes)
     return llvm::Error::success();
   return error("the program is larger than the chip's memory: it needs " +
                Twine(End) + " bytes, the chip has " + Twine(MemoryBytes) +
                "; choose a chip with more memory.bytes (--chip)");
+}
+
+std::optional<uint32_t> ElfProgram::stackLimit() const {
+  return symbol("__tp_stack_limit");
 }
 
 std::optional<uint32_t> ElfProgram::symbol(StringRef Name) const {

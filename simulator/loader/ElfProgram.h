@@ -48,8 +48,9 @@ public:
   static llvm::Expected<ElfProgram> load(llvm::StringRef Path);
 
   /// Checks that the image fits into a global memory that ends at
-  /// \p MemoryBytes.
-  llvm::Error checkFits(uint64_t MemoryBytes) const;
+  /// \p MemoryBytes, and the stack, if it has a limit, into a local store of
+  /// \p LocalStoreBytes.
+  llvm::Error checkFits(uint64_t MemoryBytes, uint32_t LocalStoreBytes) const;
 
   const std::string &path() const { return Path; }
   uint32_t entry() const { return Entry; }
@@ -60,6 +61,9 @@ public:
   uint64_t imageEnd() const;
   /// Address of a symbol of the file's symbol table.
   std::optional<uint32_t> symbol(llvm::StringRef Name) const;
+  /// The lowest address that the stack may reach, of a program that asks the
+  /// linker for it.
+  std::optional<uint32_t> stackLimit() const;
   /// The functions that were compiled with floating-point checks.
   llvm::ArrayRef<AddressRange> floatChecked() const { return FloatChecked; }
   /// The whole file, for debug information.

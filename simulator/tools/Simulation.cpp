@@ -46,6 +46,7 @@ static Program decodeText(const ElfProgram &Elf) {
   Program Decoded(Text.Address, Words, Elf.entry(), uint32_t(Text.end()));
   for (const AddressRange &Function : Elf.floatChecked())
     Decoded.addFloatChecked(Function.Begin, Function.End);
+  Decoded.setStackLimit(Elf.stackLimit().value_or(0));
   return Decoded;
 }
 
@@ -258,7 +259,7 @@ static Expected<std::unique_ptr<Setup>> setUp(const Options &Request,
   Expected<ElfProgram> Elf = ElfProgram::load(Request.Program);
   if (!Elf)
     return Elf.takeError();
-  if (llvm::Error E = Elf->checkFits(Chip.MemoryBytes))
+  if (llvm::Error E = Elf->checkFits(Chip.MemoryBytes, Chip.LocalStoreBytes))
     return E;
   Expected<std::optional<Scene>> Source = loadRequestedScene(Request);
   if (!Source)

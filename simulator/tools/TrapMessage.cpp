@@ -99,6 +99,11 @@ std::string trapMessage(const Trap &T, const ChipConfig &Chip,
       isBelowLocalStore(T.Address, Chip))
     OS << "\n  stack overflow: the local store of " << Chip.LocalStoreBytes
        << " bytes begins at " << address(uint32_t(0) - Chip.LocalStoreBytes);
+  if (T.Kind == TrapKind::StackOverflow)
+    OS << "\n  the program's own data begin below "
+       << address(Program.stackLimit().value_or(0))
+       << " (__tp_stack_limit); link it with a larger "
+          "-Wl,-z,stack-size=<bytes>";
 
   OS << "\n  pc " << address(T.Pc);
   std::vector<SourceFrame> Frames = Symbols.frames(T.Pc);

@@ -55,6 +55,8 @@ SmallVector<uint8_t, 0> linkElf(ArrayRef<MemoryBufferRef> Inputs,
     return {};
   const ProgramStack Stack =
       determineStack(Objects, Globals, *Entry, Options, Diags);
+  if (Diags.hasErrors())
+    return {};
   defineLinkerSymbols(Program, Stack.Bytes, Globals);
   reportUndefinedSymbols(Objects, Options.Hint, Diags);
   if (Diags.hasErrors())

@@ -26,8 +26,11 @@ const nothrow_t nothrow{};
 
 namespace {
 
+/// Nearly every program may come here: printf would need much stack.
 [[noreturn]] void fail(const char *Message) {
-  fprintf(stderr, "error: %s\n", Message);
+  const char *const Parts[] = {"error: ", Message, "\n"};
+  for (const char *Part : Parts)
+    fputs(Part, stderr);
   abort();
 }
 

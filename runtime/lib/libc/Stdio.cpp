@@ -234,8 +234,17 @@ int fflush(FILE *File) {
 
 void __tp_assert_fail(const char *Condition, const char *File, int Line,
                       const char *Function) {
-  fprintf(stderr, "%s:%d: %s: Assertion `%s' failed.\n", File, Line, Function,
-          Condition);
+  char Digits[11];
+  char *Number = Digits + sizeof(Digits);
+  *--Number = '\0';
+  for (; Line > 0; Line /= 10)
+    *--Number = static_cast<char>('0' + Line % 10);
+  // A kernel with assertions shall not need the stack of printf.
+  const char *const Parts[] = {File,      ":",          Number,
+                               ": ",      Function,     ": Assertion `",
+                               Condition, "' failed.\n"};
+  for (const char *Part : Parts)
+    fputs(Part, stderr);
   abort();
 }
 

@@ -92,8 +92,8 @@ TEST_F(ElfProgramTest, ReadsSegmentsAndEntry) {
 TEST_F(ElfProgramTest, ChecksThatTheImageFits) {
   llvm::Expected<ElfProgram> Program = load();
   ASSERT_TRUE(bool(Program)) << llvm::toString(Program.takeError());
-  EXPECT_EQ(llvm::toString(Program->checkFits(0x20020)), "");
-  EXPECT_THAT(llvm::toString(Program->checkFits(0x2001f)),
+  EXPECT_EQ(llvm::toString(Program->checkFits(0x20020, 1024)), "");
+  EXPECT_THAT(llvm::toString(Program->checkFits(0x2001f, 1024)),
               HasSubstr("needs 131104 bytes, the chip has 131103"));
 }
 
