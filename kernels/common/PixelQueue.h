@@ -15,6 +15,7 @@
 #ifndef TP_KERNELS_COMMON_PIXELQUEUE_H
 #define TP_KERNELS_COMMON_PIXELQUEUE_H
 
+#include "kernels/common/EarlyLoad.h"
 #include "kernels/common/PixelOrder.h"
 #include "kernels/common/Random.h"
 #include "kernels/common/WorkShares.h"
@@ -36,25 +37,41 @@ public:
 
   /// The next pixel of this thread; false if there is none left.
   bool take(PixelPlace &Pixel) {
-    uint32_t Failures = 0;
     do {
       const uint32_t Item = atomicAdd(Counters + Range, 1);
       if (Item < Shares.size(Range)) {
         Pixel = Order.at(Shares.begin(Range) + Item);
         return true;
       }
-      chooseRange();
-    } while (++Failures != MaxFailures);
+    } while (findRange());
     return false;
   }
 
 private:
-  static constexpr uint32_t MaxFailures = 16;
+  /// Counters that are looked at in one wait for memory, and how often that may
+  /// fail.
+  static constexpr uint32_t Looks = 8;
+  static constexpr uint32_t MaxFailures = 4;
 
-  /// Goes to a range that may have pixels left.
-  void chooseRange() {
-    const RandomWords Random = randomWords(threadId(), Attempts++, 0, 0);
-    Range = chooseIndex(Random.X, Threads).Index;
+  /// Goes to a range that had pixels left; false if it finds none.
+  bool findRange() {
+    for (uint32_t Failures = 0; Failures != MaxFailures; ++Failures) {
+      uint32_t Ranges[Looks];
+      uint32_t Taken[Looks];
+      for (uint32_t Look = 0; Look != Looks; ++Look) {
+        const RandomWords Random = randomWords(threadId(), Attempts++, 0, 0);
+        Ranges[Look] = chooseIndex(Random.X, Threads).Index;
+        Taken[Look] = atomicLoad(Counters + Ranges[Look]);
+      }
+      for (uint32_t &Items : Taken)
+        loadHere(Items);
+      for (uint32_t Look = 0; Look != Looks; ++Look) {
+        Range = Ranges[Look];
+        if (Taken[Look] < Shares.size(Range))
+          return true;
+      }
+    }
+    return false;
   }
 
   const PixelOrder Order;
