@@ -46,6 +46,19 @@ int exchange(int *P) {
 // EFFECT-DAG: attributes #[[CONST]] = {{.*}}speculatable willreturn memory(none)
 // EFFECT-DAG: attributes #[[INACCESSIBLE]] = {{.*}}memory(inaccessiblemem: readwrite)
 
+// Messages do not merge, and let memory accesses pass.
+// CHECK-LABEL: define {{.*}} @messages(
+// CHECK: call void @tp_profv(i32 {{.*}}256, i32
+// CHECK: call void @tp_profv(i32 {{.*}}256, i32
+// CHECK-NOT: load
+// CHECK: ret
+int messages(int *P, unsigned Value) {
+  *P = 7;
+  __builtin_tp_profv(256, Value);
+  __builtin_tp_profv(256, Value);
+  return *P;
+}
+
 // O0: call float @tp_rsqrt(
 // O0: call void @tp_barrier(
 
@@ -58,6 +71,8 @@ int exchange(int *P) {
 #ifdef BAD
 // BAD: error: {{.*}}argument to '__builtin_tp_prof' must be a constant integer
 void bad(unsigned Phase) { __builtin_tp_prof(Phase); }
+// BAD: error: {{.*}}argument to '__builtin_tp_profv' must be a constant integer
+void badMarker(unsigned Marker) { __builtin_tp_profv(Marker, 1); }
 // BAD: error: use of unknown builtin '__builtin_tp_teleport'
 void worse(void) { __builtin_tp_teleport(); }
 #endif
