@@ -5,7 +5,7 @@ from .style import FADED, FAINT, draw_unloaded, role, stub_color
 
 ROW = 22
 # Title and width.
-COLUMNS = [("INDEX", 52), ("LOADED", 62), ("TYPE", 70), ("FROM MEMORY", 128)]
+COLUMNS = [("INDEX", 52), ("LOADED", 62), ("TYPE", 70), ("FROM MEMORY", 150)]
 POINTER = 30
 POINTERS = 4
 TABLE_WIDTH = sum(width for _, width in COLUMNS) + POINTERS * POINTER

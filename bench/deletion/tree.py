@@ -1,74 +1,101 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """The tree that the slots hold, root on top."""
 
+import dataclasses
+
 from .style import FADED, LINE, draw_unloaded, role, stub_color
 
 LEVEL = 46
 RADIUS = 11
-# Between neighbours without loaded children.
-WIDEST_PITCH = 24
+STUB_RADIUS = 4.5
+# Between neighbours of one level.
+SPACE = 5
 
 
-class TreeLayout:
-    """Where slots and children that are not loaded lie: each child that has
-    none takes one column, a parent is over the middle of its children."""
+@dataclasses.dataclass
+class Shape:
+    """A subtree, laid out around its top at x = 0."""
 
-    def __init__(self, slots, root):
-        self.slots = slots
-        self.columns = 0
-        self.depth = 0
-        # {slot: (column, level)}; {(slot, child): (column, level)}.
-        self.nodes = {}
-        self.stubs = {}
-        self.place(root, 0)
+    # {slot, or (slot, child) for a child that is not loaded: (x, level)}
+    places: dict
+    # (left, right) end of each level.
+    extents: list
 
-    def place(self, index, level):
-        self.depth = max(self.depth, level)
-        columns = []
-        for child, pointer in enumerate(self.slots[index].pointers):
-            if pointer is None:
-                continue
-            if pointer.slot is not None:
-                columns.append(self.place(pointer.slot, level + 1))
-            else:
-                self.stubs[index, child] = (self.take_column(), level + 1)
-                columns.append(self.stubs[index, child][0])
-        column = ((columns[0] + columns[-1]) / 2 if columns
-                  else self.take_column())
-        self.nodes[index] = (column, level)
-        return column
+    def moved(self, distance):
+        return Shape({key: (x + distance, level)
+                      for key, (x, level) in self.places.items()},
+                     [(left + distance, right + distance)
+                      for left, right in self.extents])
 
-    def take_column(self):
-        self.columns += 1
-        return self.columns - 1
+    def distance_to(self, other):
+        """How far right of this the other has to be."""
+        return max(mine[1] + SPACE - its[0]
+                   for mine, its in zip(self.extents, other.extents))
+
+
+def lay_out(slots, index):
+    """The shape of the subtree of a slot: its children's side by side, as close
+    as their levels permit, the top over the middle of them."""
+    children = [lay_out(slots, pointer.slot) if pointer.slot is not None
+                else Shape({(index, child): (0, 0)},
+                           [(-STUB_RADIUS, STUB_RADIUS)])
+                for child, pointer in enumerate(slots[index].pointers)
+                if pointer is not None]
+    if not children:
+        return Shape({index: (0, 0)}, [(-RADIUS, RADIUS)])
+    row, last = children[0], 0
+    for shape in children[1:]:
+        last = row.distance_to(shape)
+        row = beside(row, shape.moved(last))
+    row = row.moved(-last / 2)
+    return Shape({index: (0, 0), **{key: (x, level + 1)
+                                    for key, (x, level) in row.places.items()}},
+                 [(-RADIUS, RADIUS), *row.extents])
+
+
+def beside(left, right):
+    """Both as one shape."""
+    shared = [(a[0], b[1]) for a, b in zip(left.extents, right.extents)]
+    deeper = max(left.extents, right.extents, key=len)[len(shared):]
+    return Shape({**left.places, **right.places}, shared + deeper)
 
 
 def draw_tree(drawing, trace, slots, root, left, top, width):
     """Returns the height."""
-    layout = TreeLayout(slots, root)
-    pitch = min(WIDEST_PITCH, (width - 2 * RADIUS) / max(1, layout.columns - 1))
-    indent = (width - pitch * (layout.columns - 1)) / 2
+    shape = lay_out(slots, root)
+    start = min(extent[0] for extent in shape.extents)
+    end = max(extent[1] for extent in shape.extents)
+    scale = min(1.3, width / (end - start))
+    middle = left + width / 2 - scale * (start + end) / 2
 
-    def at(place):
-        column, level = place
-        return left + indent + column * pitch, top + RADIUS + level * LEVEL
+    def at(key):
+        x, level = shape.places[key]
+        return middle + scale * x, top + RADIUS + level * LEVEL
 
-    for index, place in layout.nodes.items():
-        for child, pointer in enumerate(slots[index].pointers):
-            if pointer is not None and pointer.slot is not None:
-                draw_edge(drawing, at(place), at(layout.nodes[pointer.slot]),
-                          role(trace, pointer.slot)[0], 2.5)
-            elif pointer is not None:
-                draw_edge(drawing, at(place), at(layout.stubs[index, child]),
-                          stub_color(trace, index, child), 0.8)
-    for (index, child), place in layout.stubs.items():
-        draw_unloaded(drawing, *at(place), slots[index].pointers[child].is_leaf,
-                      stub_color(trace, index, child))
-    for index, place in layout.nodes.items():
-        draw_node(drawing, trace, slots[index], *at(place))
-    height = (layout.depth + 1) * LEVEL
+    for key in shape.places:
+        if isinstance(key, int):
+            draw_edges(drawing, trace, slots[key], at)
+    for key in shape.places:
+        if isinstance(key, int):
+            draw_node(drawing, trace, slots[key], *at(key))
+        else:
+            slot, child = key
+            draw_unloaded(drawing, *at(key), slots[slot].pointers[child].is_leaf,
+                          stub_color(trace, slot, child))
+    height = len(shape.extents) * LEVEL
     drawing.reach(left + width, top + height)
     return height
+
+
+def draw_edges(drawing, trace, slot, at):
+    """To the children of a slot; at() says where things are."""
+    for child, pointer in enumerate(slot.pointers):
+        if pointer is not None and pointer.slot is not None:
+            draw_edge(drawing, at(slot.index), at(pointer.slot),
+                      role(trace, pointer.slot)[0], 2.5)
+        elif pointer is not None:
+            draw_edge(drawing, at(slot.index), at((slot.index, child)),
+                      stub_color(trace, slot.index, child), 0.8)
 
 
 def draw_edge(drawing, start, end, color, width):
