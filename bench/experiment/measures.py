@@ -51,6 +51,7 @@ def work(statistics, node_bytes):
             "triangles_per_ray": profile["triangles_visited"] / rays,
             "nodes_read_per_ray": nodes / rays,
             "triangles_read_per_ray": triangles / rays,
+            "bytes_per_ray": bytes_read / rays,
             "bytes_per_second": bytes_read
                                 / statistics["run"]["seconds_at_chip_clock"]}
 

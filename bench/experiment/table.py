@@ -23,6 +23,7 @@ def markdown(results, is_short=False):
     return "\n".join([
         *preface(results),
         "### Speed-up over the baseline", "", *speed_up_tables(results),
+        "### Bytes read from memory per ray", "", *traffic_tables(results),
         "### Rays and cache", "", *ray_table(shown),
         "### Where the thread-cycles go", "", *cycle_table(shown)]) + "\n"
 
@@ -84,6 +85,24 @@ def speed_up(run):
     return NONE if run is None else f"{run['speed_up']:.2f}"
 
 
+def traffic_tables(results):
+    """At the highest latency, on which what is read hardly depends."""
+    lines = []
+    latency, sizes = max(results.latencies), results.local_stores
+    for kernel in results.kernels:
+        header = [kernel, "baseline", *(f"{size} KiB" for size in sizes)]
+        cells = [[scene, traffic(results.baseline(scene, latency)),
+                  *(traffic(results.find(scene, kernel, size, latency))
+                    for size in sizes)]
+                 for scene in results.scenes]
+        lines += rows(header, cells)
+    return lines
+
+
+def traffic(run):
+    return NONE if run is None else f"{run['figures']['bytes_per_ray']:,.0f}"
+
+
 def in_units(value):
     """1234567 as 1.23 M."""
     for factor, unit in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
@@ -131,9 +150,9 @@ def cache_cells(cache):
         return [NONE] * 5
     rate = cache["hit_rate"]
     return [str(cache["slots"]), NONE if rate is None else f"{rate:.1%}",
-            f"{cache['deletions_per_ray']:.3f}",
+            f"{cache['deletions_per_ray']:.2g}",
             f"{cache['slots_freed']:.1f}" if cache["deletions"] else NONE,
-            f"{cache['bypasses_per_ray']:.2f}"]
+            f"{cache['bypasses_per_ray']:.2g}"]
 
 
 def cycle_table(runs):
