@@ -14,6 +14,13 @@
 
 namespace tp {
 
+/// Entries of a TraversalStack that a tree with \p Depth inner nodes on its
+/// longest way needs: each node on the way leaves all but one of its children
+/// there.
+constexpr uint32_t traversalEntries(uint32_t Depth) {
+  return Depth * (kWideBvhWidth - 1) + 1;
+}
+
 /// Nodes and leaves that wait to be visited.
 class TraversalStack {
 public:
@@ -21,11 +28,11 @@ public:
     BvhReference Reference;
     float Enter;
   };
-  /// Each node on the way leaves all but one of its children here.
-  static constexpr uint32_t Capacity = kMaxBvhDepth * (kWideBvhWidth - 1) + 1;
+  /// Enough for every tree.
+  static constexpr uint32_t Capacity = traversalEntries(kMaxBvhDepth);
 
-  /// Room for Capacity entries. It is not a member, so that the compiler can
-  /// keep the members in registers.
+  /// \p Entries has room for what the tree needs. It is not a member, so that
+  /// the compiler can keep the members in registers.
   explicit TraversalStack(Entry *Entries) : Bottom(Entries), Top(Entries) {}
 
   TP_KERNEL_INLINE void push(BvhReference Reference, float Enter) {

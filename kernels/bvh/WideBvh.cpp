@@ -27,6 +27,8 @@ struct Task {
   BvhReference Subtree;
   /// Where the reference to the wide subtree goes.
   BvhReference *Result;
+  /// Wide nodes above it.
+  uint32_t Depth;
 };
 
 } // namespace
@@ -72,14 +74,17 @@ static void setBounds(WideBvhNode &Node, uint32_t Slot,
 
 BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root) {
   Storage.WideNodeCount = 0;
+  Storage.Depth = 0;
   BvhReference WideRoot = 0;
   Task Pending[kMaxBvhDepth * (kWideBvhWidth - 1) + 1];
   uint32_t PendingCount = 1;
-  Pending[0] = {Root, &WideRoot};
+  Pending[0] = {Root, &WideRoot, 0};
   while (PendingCount != 0) {
     const Task Current = Pending[--PendingCount];
     if (isLeaf(Current.Subtree)) {
       *Current.Result = Current.Subtree;
+      if (Current.Depth > Storage.Depth)
+        Storage.Depth = Current.Depth;
       continue;
     }
     const uint32_t Number = Storage.WideNodeCount++;
@@ -91,8 +96,8 @@ BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root) {
       // Family's boxes without a child are empty: upside down.
       setBounds(Node, Slot, Children.Boxes[Slot]);
       if (Slot < Children.Count)
-        Pending[PendingCount++] = {Children.References[Slot],
-                                   &Node.Child[Slot]};
+        Pending[PendingCount++] = {Children.References[Slot], &Node.Child[Slot],
+                                   Current.Depth + 1};
     }
   }
   return WideRoot;

@@ -23,6 +23,8 @@ struct WideBvhStorage {
   WideBvhNode *WideNodes;
   /// Receives the number of nodes made.
   uint32_t WideNodeCount;
+  /// Receives the number of nodes on the longest way from the root to a leaf.
+  uint32_t Depth = 0;
 };
 
 /// Takes up to four descendants of each node together, always opening the child

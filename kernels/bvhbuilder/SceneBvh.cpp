@@ -47,6 +47,7 @@ static void buildTrees(const BuildView &View) {
                       0};
   Header.Root = widenBvh(Wide, Workspace.BinaryRoot);
   Header.NodeCount = Wide.WideNodeCount;
+  Header.BvhDepth = Wide.Depth;
 }
 
 /// Copies this thread's share of the triangles to their places in the order of

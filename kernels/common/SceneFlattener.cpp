@@ -182,6 +182,7 @@ static void appendTree(const Scene &Source,
                Count * sizeof(TriangleRecord) + kExpectedRest);
   Header.NodesOffset = Block.append(WideNodes);
   Header.NodeCount = uint32_t(WideNodes.size());
+  Header.BvhDepth = WideStorage.Depth;
   Header.QuantizedNodesOffset =
       Block.append(quantizeNodes(WideNodes, LargestCoordinate));
   Header.TrianglesOffset = Block.append(

@@ -184,13 +184,15 @@ struct SceneHeader {
   /// The same tree as NodeCount QuantizedBvhNodes; 0 if the kernel builds it,
   /// which makes none.
   uint32_t QuantizedNodesOffset;
-  uint32_t Reserved[4];
+  /// Inner nodes on the longest way from the root to a leaf.
+  uint32_t BvhDepth;
+  uint32_t Reserved[3];
 };
 
 /// What a kernel that builds the tree finds, and where it leaves the result.
 /// The arrays at NodesOffset and TrianglesOffset of the header are zero then,
 /// with room for TriangleCount - 1 nodes and all triangles; the kernel fills
-/// them and sets NodeCount and Root, which until then is kNoBvh.
+/// them and sets NodeCount, BvhDepth and Root, which until then is kNoBvh.
 struct BvhWorkspace {
   /// The triangles in the order of the file, and their boxes (BoundingBox).
   uint32_t SourcesOffset;

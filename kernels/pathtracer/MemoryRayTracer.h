@@ -16,7 +16,7 @@ namespace tp {
 /// FullNodes.
 template <class Format = FullNodes> class MemoryRayTracer {
 public:
-  /// \p Entries has room for TraversalStack::Capacity entries.
+  /// \p Entries has room for traversalEntries(BvhDepth of the scene).
   MemoryRayTracer(const SceneView &Scene, TraversalStack::Entry *Entries)
       : Memory{Format::nodes(Scene), Scene.Triangles},
         Root(Format::root(Scene)), Entries(Entries) {}

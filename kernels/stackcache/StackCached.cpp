@@ -41,8 +41,8 @@ int main(int ArgumentCount, char **Arguments) {
   const LaunchBlock Launch = launchBlock();
   const SceneView Scene(devicePointer<const void>(Launch.Scene));
   const LocalStoreSpace Space = freeLocalStore();
-  constexpr uint32_t StackBytes =
-      TraversalStack::Capacity * sizeof(TraversalStack::Entry);
+  const uint32_t StackBytes =
+      traversalEntries(Scene.Header->BvhDepth) * sizeof(TraversalStack::Entry);
   const uint32_t Slots = readSlotArgument(
       ArgumentCount, Arguments,
       Space.Bytes < StackBytes ? 0 : Cache::slotsIn(Space.Bytes - StackBytes));

@@ -23,6 +23,7 @@ struct Trees {
   std::vector<WideBvhNode> WideNodes;
   BvhReference Root = 0;
   BvhReference WideRoot = 0;
+  uint32_t WideDepth = 0;
 
   Trees();
 
@@ -76,6 +77,7 @@ Trees::Trees() {
   WideBvhStorage Wide{Nodes.data(), WideNodes.data(), 0};
   WideRoot = widenBvh(Wide, Root);
   WideNodes.resize(Wide.WideNodeCount);
+  WideDepth = Wide.Depth;
 }
 
 static std::string describe(const BvhFindings &Findings) {
@@ -97,6 +99,7 @@ TEST(BvhVerifier, BuiltTreesAreClean) {
   EXPECT_EQ(Binary.LeafCount, T.Nodes.size() + 1);
   EXPECT_EQ(Wide.LeafCount, Binary.LeafCount);
   EXPECT_LT(Wide.Depth, Binary.Depth);
+  EXPECT_EQ(T.WideDepth, Wide.Depth);
   EXPECT_EQ(Binary.LostPrimitives + Binary.RepeatedPrimitives, 0u);
 }
 
