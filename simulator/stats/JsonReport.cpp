@@ -179,6 +179,10 @@ private:
                 map_range(Stats.Threads, [](const ThreadStatistics &Thread) {
                   return Thread.FinishCycle;
                 }));
+      flatArray("own_cycles",
+                map_range(Stats.Threads, [&](const ThreadStatistics &Thread) {
+                  return Run.ownCycles(Thread);
+                }));
       if (!Run.Rays.empty())
         flatArray("rays", Run.Rays);
       if (!Run.RayProfiles.empty())

@@ -60,6 +60,11 @@ double RunSummary::instructionsPerCycleAndTm() const {
   return ratio(Stats.instructions(), double(Stats.Cycles) * Chip.TmCount);
 }
 
+uint64_t RunSummary::ownCycles(const ThreadStatistics &Thread) const {
+  return Stats.Cycles - Thread.Lost[unsigned(Loss::Finished)] -
+         Thread.Lost[unsigned(Loss::Barrier)];
+}
+
 uint64_t RunSummary::operations(Unit U) const {
   uint64_t Sum = 0;
   for (unsigned I = 0; I != NumOpcodes; ++I)
@@ -99,10 +104,9 @@ std::optional<RayRates> rayRates(const RunSummary &Run) {
     }
     const ThreadStatistics &Thread = Run.Stats.Threads[I];
     uint64_t Cycles = Run.Stats.Cycles - Thread.Lost[unsigned(Loss::Finished)];
-    uint64_t Waits = Thread.Lost[unsigned(Loss::Barrier)];
     double RayCycles = Run.Rays[I] * Run.Chip.ClockGHz * 1e9;
     ToHalt.push_back(ratio(RayCycles, Cycles));
-    Own.push_back(ratio(RayCycles, Cycles - Waits));
+    Own.push_back(ratio(RayCycles, Run.ownCycles(Thread)));
   }
   std::sort(ToHalt.begin(), ToHalt.end());
   std::sort(Own.begin(), Own.end());

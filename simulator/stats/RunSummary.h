@@ -52,6 +52,8 @@ struct RunSummary {
   /// Issued instructions per thread-cycle, 0 to 1.
   double issueRate() const;
   double instructionsPerCycleAndTm() const;
+  /// Cycles of a thread up to its halt, without its waits at barriers.
+  uint64_t ownCycles(const ThreadStatistics &Thread) const;
   /// Operations that \p U started.
   uint64_t operations(Unit U) const;
   /// Share of the unit's issue slots that were used, 0 to 1.
@@ -69,8 +71,7 @@ struct RayRates {
   /// out.
   double SlowestThread = 0;
   double FastestThread = 0;
-  /// Over each thread's own time, without its waits at barriers; threads
-  /// without a ray are left out.
+  /// Over each thread's own cycles; threads without a ray are left out.
   struct {
     double Minimum = 0;
     double Mean = 0;
