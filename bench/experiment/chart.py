@@ -114,7 +114,7 @@ def draw_speed(pyplot, results):
     for axes, latency in zip(grid, results.latencies):
         for position, width, kernel, run in bars(results, latency):
             draw_range(axes, position, width, run, KERNEL_COLORS[kernel])
-        axes.set_yscale("log")
+        label_rates(pyplot, axes)
         label_scenes(axes, results)
         axes.grid(axis="y", which="major", color="#cccccc")
         axes.grid(axis="y", which="minor", color="#eeeeee")
@@ -123,6 +123,16 @@ def draw_speed(pyplot, results):
     grid[0].set_ylabel("rays/s")
     speed_legend(pyplot, figure, results)
     return figure
+
+
+def label_rates(pyplot, axes):
+    """A logarithmic axis with 1, 2 and 5 of each decade in words."""
+    ticker = pyplot.matplotlib.ticker
+    axes.set_yscale("log")
+    axes.yaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter(
+        ticker.FuncFormatter(lambda value, _: in_units(value)))
+    axes.yaxis.set_minor_formatter(ticker.NullFormatter())
 
 
 def chip_speed(run, thread):

@@ -3,7 +3,7 @@
 
 import json
 
-from .configurations import BASELINE
+from .configurations import BASELINE, Kernel
 from .errors import BenchError
 from .measures import figures
 
@@ -127,12 +127,15 @@ def problems(results):
 
 
 def read_results(path):
-    """A file that write_results() wrote."""
+    """A file that write_results() wrote, with figures of today's making."""
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
         if content["format_version"] != FORMAT_VERSION:
             raise ValueError(f"format {content['format_version']}, not "
                              f"{FORMAT_VERSION}")
+        for run in content["runs"]:
+            kernel = Kernel(run["policy"], run["slot_format"])
+            run["figures"] = figures(run["statistics"], kernel.node_bytes)
         return Results(content)
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise BenchError(f"{path}: cannot read the results ({error}); run the "
