@@ -18,9 +18,7 @@ public:
   static constexpr uint32_t wordCount(uint32_t Size) { return Size / 32 + 1; }
 
   /// An empty set in wordCount(Size) words.
-  BitSet(uint32_t *Words, uint32_t Size) : Words(Words), Size(Size) { clear(); }
-
-  void clear() {
+  BitSet(uint32_t *Words, uint32_t Size) : Words(Words) {
     for (uint32_t Word = 0; Word != wordCount(Size); ++Word)
       Words[Word] = 0;
   }
@@ -36,7 +34,6 @@ public:
 
 private:
   uint32_t *Words;
-  uint32_t Size;
 };
 
 } // namespace tp

@@ -18,10 +18,19 @@ namespace tp {
 /// The layout of the slots of \p Cache, a TreeCache.
 template <class Cache> constexpr TreeCacheLayout treeCacheLayout() {
   using Format = typename Cache::SlotFormat;
-  return {
-      Cache::SlotBytes,         Format::ParentOffset,     Format::SourceOffset,
-      Format::Nodes::NodeBytes, Format::NodeBytes,        Format::ChildOffset,
-      kTriangleTestBytes,       Format::TrianglesPerSlot, Format::RestOffset};
+  static_assert(Format::ChildOffset + kWideBvhWidth * sizeof(uint32_t) ==
+                    Format::NodeBytes,
+                "the verifier knows no words behind a node's child words");
+  TreeCacheLayout Layout{};
+  Layout.SlotBytes = Cache::SlotBytes;
+  Layout.ParentOffset = Format::ParentOffset;
+  Layout.SourceOffset = Format::SourceOffset;
+  Layout.MemoryNodeBytes = Format::Nodes::NodeBytes;
+  Layout.ChildOffset = Format::ChildOffset;
+  Layout.TriangleBytes = kTriangleTestBytes;
+  Layout.LeafTriangles = Format::TrianglesPerSlot;
+  Layout.RestOffset = Format::RestOffset;
+  return Layout;
 }
 
 /// What a TreeCache is made of.

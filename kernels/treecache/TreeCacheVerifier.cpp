@@ -91,7 +91,7 @@ private:
   const TreeCacheState &State;
   const TreeCacheSource &Source;
   BitSet Reached;
-  /// The free slots; later those on the path.
+  /// The free slots, and later also those on the path, which are not free.
   BitSet Marked;
   TreeCacheViolation Result;
 };
@@ -227,12 +227,8 @@ bool Walk::verifyContents(uint32_t Slot, BvhReference Loaded) {
   if (Loaded % Layout.MemoryNodeBytes != 0 ||
       Loaded / Layout.MemoryNodeBytes >= Source.NodeCount)
     return failAtSource(Slot, Loaded);
-  const char *Node = Source.Nodes + Loaded;
-  const uint32_t ChildEnd = Layout.ChildOffset + kWideBvhWidth * WordBytes;
   return verifyWords(TreeCacheRule::NodeWord, Slot, 0, Layout.ChildOffset,
-                     Node) &&
-         verifyWords(TreeCacheRule::NodeWord, Slot, ChildEnd, Layout.NodeBytes,
-                     Node + ChildEnd);
+                     Source.Nodes + Loaded);
 }
 
 /// Compares the bytes from \p Begin to \p End of a slot with \p Memory.
@@ -259,7 +255,6 @@ bool Walk::verifyPath(const TreeCachePath &Path) {
   if (Path.Word != kRootWord && !isReachedChildWord(Path.Word))
     return fail(TreeCacheRule::PathDeleted, TreeCacheViolation::NoSlot, 0,
                 Path.Word, 0);
-  Marked.clear();
   for (uint32_t Word = Path.Word; Word != kRootWord;) {
     const uint32_t Slot = Word / Layout.SlotBytes;
     Marked.insert(Slot);

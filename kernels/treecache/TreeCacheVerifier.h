@@ -75,9 +75,8 @@ struct TreeCacheLayout {
   uint32_t SourceOffset;
   /// From one node to the next in memory.
   uint32_t MemoryNodeBytes;
-  /// Words of a node that a slot keeps, from the node's start, with the
-  /// kWideBvhWidth child words at ChildOffset.
-  uint32_t NodeBytes;
+  /// The kWideBvhWidth child words of a node, which end what a slot keeps of it
+  /// from its start.
   uint32_t ChildOffset;
   /// Words of a triangle that a slot keeps, from the start of its record; those
   /// of a leaf slot follow each other from its start.

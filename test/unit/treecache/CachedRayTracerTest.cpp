@@ -5,15 +5,16 @@
 //===----------------------------------------------------------------------===//
 //
 // Random rays through random trees with caches of every size: each finds what
-// the traversal from memory finds, and after every single operation the cache
-// keeps every rule of its verifier. CachedRayTracer verifies the deletions
-// itself (TP_CACHE_CHECK), the path included.
+// the traversal from memory finds in the same visits, and after every single
+// operation the cache keeps every rule of its verifier. CachedRayTracer
+// verifies the deletions itself (TP_CACHE_CHECK), the path included.
 //
 //===----------------------------------------------------------------------===//
 
 #include "kernels/treecache/CachedRayTracer.h"
 
 #include "LoadedCache.h"
+#include "kernels/common/RayEvents.h"
 #include "kernels/pathtracer/MemoryRayTracer.h"
 #include "kernels/treecache/HighestBranch.h"
 #include "kernels/treecache/KeepTop.h"
@@ -21,13 +22,47 @@
 
 #include <gtest/gtest.h>
 #include <type_traits>
+#include <utility>
 
 using namespace tp;
 
 namespace {
 
+/// What a ray visits in memory, or in the slots whose sources it is told.
+class VisitRecorder : public ProfileObserver {
+public:
+  void profileValue(uint32_t, uint32_t Marker, uint32_t Value) override {
+    if (Marker == uint32_t(RayEvent::NodeFromMemory) ||
+        Marker == uint32_t(RayEvent::TrianglesFromMemory))
+      visit(Value, 0);
+  }
+  /// A node, or a leaf of which the rest follows on its own if there are more
+  /// than \p SlotTriangles.
+  void visit(BvhReference Visited, uint32_t SlotTriangles) {
+    if (Visited != Rest)
+      References.push_back(Visited);
+    Rest = kNoNode;
+    if (isLeaf(Visited) && SlotTriangles != 0 &&
+        leafCount(Visited) > SlotTriangles)
+      Rest = leafReference(leafFirst(Visited) + SlotTriangles,
+                           leafCount(Visited) - SlotTriangles);
+  }
+  /// All since the last time.
+  std::vector<BvhReference> take() {
+    Rest = kNoNode;
+    return std::exchange(References, {});
+  }
+
+private:
+  static constexpr BvhReference kNoNode = 1;
+
+  std::vector<BvhReference> References;
+  BvhReference Rest = kNoNode;
+};
+
 /// What the policies of one test know.
 struct Witness {
+  VisitRecorder Visited;
   TreeCacheSource Source{};
   std::vector<uint32_t> Scratch;
   uint64_t Visits = 0;
@@ -78,6 +113,8 @@ public:
   template <class Cache> void visit(Cache &Slots, CacheLink Link) {
     Policy::visit(Slots, Link);
     ++CurrentWitness->Visits;
+    CurrentWitness->Visited.visit(Slots.source(linkedSlot(Link)),
+                                  Cache::SlotFormat::TrianglesPerSlot);
     CurrentWitness->verify(Slots);
   }
   template <class Cache> uint32_t chooseBranch(Cache &Slots, uint32_t Word) {
@@ -126,6 +163,7 @@ void CachedRays<VariantType>::compare(const RandomTree &Tree,
   const SceneView View = Tree.view();
   Seen.Source = treeCacheSource<typename Format::Nodes>(View);
   CurrentWitness = &Seen;
+  CurrentProfileObserver = &Seen.Visited;
   TraversalStack::Entry Entries[TraversalStack::Capacity];
   TraversalStack::Entry CachedEntries[TraversalStack::Capacity];
   std::vector<uint32_t> Memory(Cache::bytesFor(SlotCount) / sizeof(uint32_t));
@@ -139,15 +177,20 @@ void CachedRays<VariantType>::compare(const RandomTree &Tree,
     const Ray R = Rays.next();
     const float MaxDistance = Rays.once(3) ? 1e30f : Rays.number(0, 30);
     if (Rays.once(2)) {
-      EXPECT_EQ(Plain.isBlocked(R, MaxDistance),
-                Cached.isBlocked(R, MaxDistance));
+      const bool Expected = Plain.isBlocked(R, MaxDistance);
+      const auto ExpectedVisits = Seen.Visited.take();
+      EXPECT_EQ(Expected, Cached.isBlocked(R, MaxDistance));
+      EXPECT_EQ(ExpectedVisits, Seen.Visited.take());
       continue;
     }
     const Hit Expected = Plain.findClosestHit(R, MaxDistance);
+    const auto ExpectedVisits = Seen.Visited.take();
     const Hit Found = Cached.findClosestHit(R, MaxDistance);
+    EXPECT_EQ(ExpectedVisits, Seen.Visited.take());
     EXPECT_EQ(Expected.Triangle, Found.Triangle);
     EXPECT_EQ(Expected.Distance, Found.Distance);
   }
+  CurrentProfileObserver = nullptr;
 }
 
 TYPED_TEST(CachedRays, FindWhatPlainRaysFind) {

@@ -22,19 +22,21 @@ inline std::string describe(const TreeCacheViolation &Violation) {
   return Sentence;
 }
 
-/// A cache of some slots, breadth first filled with the tree.
+/// A cache of some slots, breadth first filled with the tree but for some slots
+/// that are never used.
 template <class Format> class LoadedCache {
 public:
   using Cache = TreeCache<Format>;
 
-  LoadedCache(const RandomTree &Tree, uint32_t SlotCount)
+  LoadedCache(const RandomTree &Tree, uint32_t SlotCount,
+              uint32_t SpareCount = 0)
       : View(Tree.view()), Memory(Cache::bytesFor(SlotCount) / 4),
         Slots(reinterpret_cast<char *>(Memory.data()), SlotCount,
               Format::Nodes::root(View)) {
     for (std::vector<uint32_t> Words = {kRootWord}; !Words.empty();) {
       std::vector<uint32_t> Next;
       for (uint32_t Word : Words)
-        load(Word, Next);
+        load(Word, (SlotCount - SpareCount) * Cache::SlotBytes, Next);
       Words = Next;
     }
   }
@@ -91,12 +93,12 @@ public:
   Cache Slots;
 
 private:
-  void load(uint32_t Word, std::vector<uint32_t> &Next) {
+  void load(uint32_t Word, uint32_t End, std::vector<uint32_t> &Next) {
     const BvhReference Reference = Slots.word(Word);
     // A missing child is the root again, or nothing.
     const bool IsMissing =
         Word != kRootWord && (Reference == kNoRest || Reference == kNoBvh);
-    if (!Slots.hasFreeSlot() || IsMissing)
+    if (Slots.firstUnused() == End || IsMissing)
       return;
     const CacheLink Link = Slots.load(
         {Format::Nodes::nodes(View), View.Triangles}, Word, Reference);

@@ -20,7 +20,7 @@ using Cache = Loaded::Cache;
 /// Long leaves, a free list of a few slots, and slots that were never used.
 class TreeCacheVerifier : public testing::Test {
 protected:
-  TreeCacheVerifier() : Tree(TreeShape::LongLeaves, 400, 1), C(Tree, 200) {
+  TreeCacheVerifier() : Tree(TreeShape::LongLeaves, 400, 1), C(Tree, 210, 10) {
     const std::vector<uint32_t> Words = C.loadedWords();
     // A branch of several slots, all but the last of which are taken again.
     for (uint32_t Word : Words)
@@ -78,7 +78,7 @@ TEST_F(TreeCacheVerifier, FindsSlotsOutsideTheMemory) {
   TreeCacheState State = C.state();
   --State.Bytes;
   expectRule(TreeCacheRule::SlotsInMemory, State);
-  EXPECT_EQ(LastSentence, "the cache has 200 slots in memory for 199");
+  EXPECT_EQ(LastSentence, "the cache has 210 slots in memory for 209");
 }
 
 TEST_F(TreeCacheVerifier, FindsMoreUsedSlotsThanThereAre) {
@@ -107,14 +107,14 @@ TEST_F(TreeCacheVerifier, FindsFreeListsWithoutAnEnd) {
 TEST_F(TreeCacheVerifier, FindsLinksToNoSlot) {
   uint32_t &Link = C.at(someWord(true));
   const uint32_t Good = Link;
-  for (uint32_t Bad : {Good + 4, Good + 4 * Cache::SlotBytes * 200,
+  for (uint32_t Bad : {Good + 4, Good + 4 * Cache::SlotBytes * 210,
                        (Good & 3) | C.Slots.firstUnused()}) {
     Link = Bad;
     expectRule(TreeCacheRule::LoadedLink);
   }
-  C.at(kRootWord) = innerLink(Cache::SlotBytes * 200);
+  C.at(kRootWord) = innerLink(Cache::SlotBytes * 210);
   expectRule(TreeCacheRule::LoadedLink);
-  EXPECT_EQ(LastSentence, "at the root: the link 0x5dc1 names no used slot");
+  EXPECT_EQ(LastSentence, "at the root: the link 0x6271 names no used slot");
 }
 
 TEST_F(TreeCacheVerifier, FindsLinksOfTheWrongKind) {
@@ -241,10 +241,27 @@ TEST_F(TreeCacheVerifier, FindsWrongSources) {
 TEST_F(TreeCacheVerifier, FindsSourcesThatAreNotInMemory) {
   TreeCacheSource Source = C.source();
   auto Rule = [&] { return C.verify(C.state(), Source, nullptr).Rule; };
-  Source.NodeCount = 1;
+  uint32_t LastNode = 0, TriangleEnd = 0;
+  for (uint32_t Slot : C.slots(false))
+    LastNode = std::max<uint32_t>(LastNode,
+                                  C.Slots.source(Slot) / sizeof(WideBvhNode));
+  for (uint32_t Slot : C.slots(true))
+    TriangleEnd = std::max(TriangleEnd, leafFirst(C.Slots.source(Slot)) +
+                                            leafCount(C.Slots.source(Slot)));
+  Source.NodeCount = LastNode + 1;
+  Source.TriangleCount = TriangleEnd;
+  EXPECT_EQ(Rule(), TreeCacheRule::None);
+  Source.NodeCount = LastNode;
   EXPECT_EQ(Rule(), TreeCacheRule::SourceInMemory);
   Source = C.source();
-  Source.TriangleCount = leafFirst(C.Slots.source(C.slots(true)[0]));
+  for (uint32_t Count : {0u, TriangleEnd / 2, TriangleEnd - 1}) {
+    Source.TriangleCount = Count;
+    EXPECT_EQ(Rule(), TreeCacheRule::SourceInMemory);
+  }
+  // A tree whose root lies across two nodes.
+  Source = C.source();
+  Source.Root = sizeof(WideBvhNode) / 2;
+  C.at(FullSlots::SourceOffset) = Source.Root;
   EXPECT_EQ(Rule(), TreeCacheRule::SourceInMemory);
 }
 
@@ -311,6 +328,7 @@ TEST_F(TreeCacheVerifier, FindsDeletedPaths) {
   for (uint32_t Word :
        {Current + 2, C.Slots.firstFree() + FullSlots::ChildOffset,
         C.Slots.firstUnused() + FullSlots::ChildOffset, kNoWord,
+        C.slots(false)[0], C.slots(false)[0] + FullSlots::ChildOffset + 2,
         C.slots(false)[0] + FullSlots::ParentOffset}) {
     Bad.Word = Word;
     expectRule(TreeCacheRule::PathDeleted, State, &Bad);
