@@ -48,6 +48,10 @@ constexpr CacheLink leafLink(uint32_t Slot) { return Slot | kLeafTag; }
 constexpr bool isLoaded(CacheLink Link) {
   return !isLeaf(Link) && (Link & 1) != 0;
 }
+/// Whether \p Link names an inner node in a slot.
+constexpr bool isLoadedInner(CacheLink Link) {
+  return (Link & 0x80000003u) == kInnerTag;
+}
 /// Whether \p Link, which names a slot, names a part of a leaf.
 constexpr bool isLoadedLeaf(CacheLink Link) { return (Link & 2) != 0; }
 /// The offset of the slot that \p Link names.

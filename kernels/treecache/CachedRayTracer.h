@@ -50,25 +50,34 @@ public:
   TP_KERNEL_INLINE Hit findClosestHit(const Ray &R, float MaxDistance) {
     Rules.beginRay();
     const BoxTester Boxes(R);
+    const SlotMemory Words = Slots.memory();
+    const char *const TaggedNodes = Words.at(0) - kInnerTag;
     TraversalStack Stack(Entries);
     Hit Nearest{MaxDistance, kNoTriangle};
     uint32_t Word = kRootWord;
     for (;;) {
-      const CacheLink Link = enter(Word, Stack);
-      if (!isLoaded(Link)) [[unlikely]] {
-        Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
-      } else if (!isLoadedLeaf(Link)) {
-        const ChildWords Children(Link);
-        if (descendToNearest(
-                Boxes.testInLocalStore(Slots.base() + linkedSlot(Link),
-                                       Nearest.Distance),
-                Children.Words, Stack, Word))
+      CacheLink Link = Words.word(Word);
+      if (!isLoadedInner(Link)) {
+        if (!isLoaded(Link))
+          Link = fetch(Word, Link, Stack);
+        if (!isLoadedInner(Link)) {
+          if (!isLoaded(Link)) [[unlikely]] {
+            Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
+          } else if (intersectPart(Words, Link, R, Nearest)) {
+            Word = Link - kLeafTag + Format::RestOffset;
+            continue;
+          }
+          if (!Stack.popNearer(Nearest.Distance, Word))
+            return Nearest;
           continue;
-      } else if (intersectPart(Link, R, Nearest)) {
-        Word = linkedSlot(Link) + Format::RestOffset;
-        continue;
+        }
       }
-      if (!Stack.popNearer(Nearest.Distance, Word))
+      noteVisit(Link);
+      const ChildWords Children(Link);
+      const BoxDistances D =
+          Boxes.testInLocalStore(TaggedNodes + Link, Nearest.Distance);
+      if (!descendToNearest(D, Children.Words, Stack, Word) &&
+          !Stack.popNearer(Nearest.Distance, Word))
         return Nearest;
     }
   }
@@ -77,26 +86,35 @@ public:
   TP_KERNEL_INLINE bool isBlocked(const Ray &R, float MaxDistance) {
     Rules.beginRay();
     const BoxTester Boxes(R);
+    const SlotMemory Words = Slots.memory();
+    const char *const TaggedNodes = Words.at(0) - kInnerTag;
     TraversalStack Stack(Entries);
     uint32_t Word = kRootWord;
     do {
-      const CacheLink Link = enter(Word, Stack);
-      if (!isLoaded(Link)) [[unlikely]] {
-        if (isBlockedInMemory(Link, R, Boxes, Stack.top(), MaxDistance))
-          return true;
-      } else if (!isLoadedLeaf(Link)) {
-        const ChildWords Children(Link);
-        const BoxDistances D = Boxes.testInLocalStore(
-            Slots.base() + linkedSlot(Link), MaxDistance);
-        for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
-          Stack.pushIf(D.isHit(Child), Children.Words[Child]);
-      } else {
-        Hit Found{MaxDistance, kNoTriangle};
-        const bool HasRest = intersectPart(Link, R, Found);
-        if (Found.Triangle != kNoTriangle)
-          return true;
-        Stack.pushIf(HasRest, linkedSlot(Link) + Format::RestOffset);
+      CacheLink Link = Words.word(Word);
+      if (!isLoadedInner(Link)) {
+        if (!isLoaded(Link))
+          Link = fetch(Word, Link, Stack);
+        if (!isLoadedInner(Link)) {
+          if (!isLoaded(Link)) [[unlikely]] {
+            if (isBlockedInMemory(Link, R, Boxes, Stack.top(), MaxDistance))
+              return true;
+            continue;
+          }
+          Hit Found{MaxDistance, kNoTriangle};
+          const bool HasRest = intersectPart(Words, Link, R, Found);
+          if (Found.Triangle != kNoTriangle)
+            return true;
+          Stack.pushIf(HasRest, Link - kLeafTag + Format::RestOffset);
+          continue;
+        }
       }
+      noteVisit(Link);
+      const ChildWords Children(Link);
+      const BoxDistances D =
+          Boxes.testInLocalStore(TaggedNodes + Link, MaxDistance);
+      for (unsigned Child = 0; Child != kWideBvhWidth; ++Child)
+        Stack.pushIf(D.isHit(Child), Children.Words[Child]);
     } while (Stack.pop(Word));
     return false;
   }
@@ -114,19 +132,21 @@ private:
     uint32_t Words[kWideBvhWidth];
   };
 
-  /// The link at \p Word, if possible to a slot, for a visit.
-  TP_KERNEL_INLINE CacheLink enter(uint32_t Word, const TraversalStack &Stack) {
-    CacheLink Link = Slots.word(Word);
-    if (!isLoaded(Link)) [[unlikely]] {
-      if (!Slots.hasFreeSlot()) [[unlikely]] {
-        if (!makeRoom(Word, Stack.top()))
-          return Link;
-      }
-      Link = Slots.load(Memory, Word, Link);
+  /// Loads what \p Link at \p Word names, and returns the link to its slot; or
+  /// \p Link itself if no slot can be had.
+  TP_KERNEL_INLINE CacheLink fetch(uint32_t Word, BvhReference Link,
+                                   const TraversalStack &Stack) {
+    if (!Slots.hasFreeSlot()) [[unlikely]] {
+      if (!makeRoom(Word, Stack.top()))
+        return Link;
     }
+    return Slots.load(Memory, Word, Link);
+  }
+
+  /// Once for each visit of a loaded \p Link.
+  TP_KERNEL_INLINE void noteVisit(CacheLink Link) {
     rayEvent(RayEvent::SlotVisit, Link);
     Rules.visit(Slots, Link);
-    return Link;
   }
 
   /// Deletes a branch so that what \p Word names can be loaded; false if the
@@ -150,12 +170,13 @@ private:
 
   /// Replaces \p Found by the nearest hit that is nearer in the part of a leaf
   /// that \p Link names; true if the leaf goes on behind it.
-  TP_KERNEL_INLINE bool intersectPart(CacheLink Link, const Ray &R,
-                                      Hit &Found) {
+  TP_KERNEL_INLINE bool intersectPart(SlotMemory Words, CacheLink Link,
+                                      const Ray &R, Hit &Found) {
     constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
-    const uint32_t Slot = linkedSlot(Link);
-    const char *Part = Slots.base() + Slot;
-    const BvhReference Leaf = Slots.source(Slot);
+    noteVisit(Link);
+    const uint32_t Slot = Link - kLeafTag;
+    const char *Part = Words.at(Slot);
+    const BvhReference Leaf = Words.word(Slot + Format::SourceOffset);
     const uint32_t First = leafFirst(Leaf);
     if (const uint32_t Count = leafCount(Leaf); Count >= PerSlot)
       intersectTriangles<PerSlot>(Part, First, R, Found);
@@ -163,7 +184,7 @@ private:
       for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
         intersectTriangles<1>(Part + Triangle * kTriangleTestBytes,
                               First + Triangle, R, Found);
-    return Slots.word(Slot + Format::RestOffset) != kNoRest;
+    return Words.word(Slot + Format::RestOffset) != kNoRest;
   }
 
   /// Replaces \p Found by the nearest hit that is nearer among the \p Count

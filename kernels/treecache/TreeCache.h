@@ -16,6 +16,7 @@
 #include "kernels/common/RayEvents.h"
 #include "kernels/treecache/CacheLink.h"
 #include "kernels/treecache/SlotFormat.h"
+#include "kernels/treecache/SlotMemory.h"
 #include "kernels/treecache/WordCopy.h"
 
 #include <stdint.h>
@@ -40,12 +41,14 @@ public:
   /// An empty cache of the tree \p Root in the bytesFor(\p Slots) bytes at
   /// \p Memory, which is aligned to 4.
   TreeCache(char *Memory, uint32_t Slots, BvhReference Root)
-      : Base(Memory + RootWordBytes), End(Slots * SlotBytes) {
+      : Memory(Memory + RootWordBytes), End(Slots * SlotBytes) {
     setWord(kRootWord, Root);
   }
 
+  /// Where the slots and the root word are.
+  SlotMemory memory() const { return Memory; }
   /// The first slot; offsets count from here.
-  char *base() const { return Base; }
+  char *base() const { return Memory.at(0); }
   /// The offset behind the last slot.
   uint32_t end() const { return End; }
   /// The offset of the first slot that was never used; end() if there is none.
@@ -55,11 +58,9 @@ public:
   uint32_t firstFree() const { return Free; }
 
   /// The word at an offset, for instance a link.
-  uint32_t word(uint32_t Offset) const {
-    return *reinterpret_cast<const CacheWord *>(at(Offset));
-  }
+  uint32_t word(uint32_t Offset) const { return Memory.word(Offset); }
   void setWord(uint32_t Offset, uint32_t Value) {
-    *reinterpret_cast<CacheWord *>(at(Offset)) = Value;
+    Memory.setWord(Offset, Value);
   }
 
   /// The offset of the word that names \p Slot.
@@ -89,7 +90,7 @@ public:
 
   /// Copies what the link at \p Word names into a free slot, of which there
   /// must be one, and returns the new link. The former link is \p Reference.
-  TP_KERNEL_INLINE CacheLink load(const BvhMemory &Memory, uint32_t Word,
+  TP_KERNEL_INLINE CacheLink load(const BvhMemory &From, uint32_t Word,
                                   BvhReference Reference) {
     const uint32_t Slot = takeSlot();
     setWord(Slot + Format::ParentOffset, Word);
@@ -98,9 +99,9 @@ public:
     const CacheLink Link = Leaf ? leafLink(Slot) : innerLink(Slot);
     setWord(Word, Link);
     if (Leaf)
-      copyLeaf(Memory, Reference, Slot);
+      copyLeaf(From, Reference, Slot);
     else
-      copyWords<Format::NodeBytes / 4>(at(Slot), Memory.Nodes + Reference);
+      copyWords<Format::NodeBytes / 4>(Memory.at(Slot), From.Nodes + Reference);
     rayEvent(RayEvent::SlotLoadFrom, Reference);
     rayEvent(RayEvent::SlotLoadParent, Word);
     rayEvent(RayEvent::SlotLoadInto, Link);
@@ -114,11 +115,6 @@ public:
 private:
   static constexpr uint32_t RootWordBytes = 4;
 
-  /// Offsets are signed for the host, on which pointers have more bits.
-  char *at(uint32_t Offset) const {
-    return Base + static_cast<int32_t>(Offset);
-  }
-
   TP_KERNEL_INLINE uint32_t takeSlot() {
     const uint32_t Slot = Free;
     if (Slot != kNoSlot) {
@@ -129,10 +125,10 @@ private:
     return Unused - SlotBytes;
   }
 
-  TP_KERNEL_INLINE void copyLeaf(const BvhMemory &Memory, BvhReference Leaf,
+  TP_KERNEL_INLINE void copyLeaf(const BvhMemory &From, BvhReference Leaf,
                                  uint32_t Slot);
 
-  char *const Base;
+  const SlotMemory Memory;
   const uint32_t End;
   uint32_t Unused = 0;
   uint32_t Free = kNoSlot;
@@ -140,7 +136,7 @@ private:
 
 template <class Format, uint32_t PolicyBytes>
 TP_KERNEL_INLINE void
-TreeCache<Format, PolicyBytes>::copyLeaf(const BvhMemory &Memory,
+TreeCache<Format, PolicyBytes>::copyLeaf(const BvhMemory &From,
                                          BvhReference Leaf, uint32_t Slot) {
   constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
   const uint32_t First = leafFirst(Leaf);
@@ -148,12 +144,12 @@ TreeCache<Format, PolicyBytes>::copyLeaf(const BvhMemory &Memory,
   const bool HasRest = Count > PerSlot;
   setWord(Slot + Format::RestOffset,
           HasRest ? leafReference(First + PerSlot, Count - PerSlot) : kNoRest);
-  const TriangleRecord *Records = Memory.Triangles + First;
+  const TriangleRecord *Records = From.Triangles + First;
   if (Count >= PerSlot)
-    copyRecords<PerSlot>(at(Slot), Records);
+    copyRecords<PerSlot>(Memory.at(Slot), Records);
   else
     for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
-      copyRecords<1>(at(Slot + Triangle * kTriangleTestBytes),
+      copyRecords<1>(Memory.at(Slot + Triangle * kTriangleTestBytes),
                      Records + Triangle);
 }
 

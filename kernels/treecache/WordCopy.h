@@ -14,13 +14,11 @@
 
 #include "kernels/common/Inline.h"
 #include "kernels/treecache/SlotFormat.h"
+#include "kernels/treecache/SlotMemory.h"
 
 #include <stdint.h>
 
 namespace tp {
-
-/// A word of the cache, which may be of any type.
-using CacheWord [[gnu::may_alias]] = uint32_t;
 
 /// Words on their way from memory to the cache. They travel in registers of
 /// both kinds, because neither has enough free ones.
