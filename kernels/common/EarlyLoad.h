@@ -36,6 +36,27 @@ TP_KERNEL_INLINE void loadHere(Vector3 &Vector) {
   loadHere(Vector.Z);
 }
 
+/// A copy of \p From, words of memory that are asked for together. Half of them
+/// travel in float registers, because neither kind has enough.
+template <class T> TP_KERNEL_INLINE T loadTogether(const T &From) {
+  struct Words {
+    uint32_t Of[sizeof(T) / sizeof(uint32_t)];
+  };
+  Words Copy = __builtin_bit_cast(Words, From);
+  bool InFloat = false;
+  for (uint32_t &Word : Copy.Of) {
+    if (InFloat) {
+      float Number = __builtin_bit_cast(float, Word);
+      loadHere(Number);
+      Word = __builtin_bit_cast(uint32_t, Number);
+    } else {
+      loadHere(Word);
+    }
+    InFloat = !InFloat;
+  }
+  return __builtin_bit_cast(T, Copy);
+}
+
 } // namespace tp
 
 #endif // TP_KERNELS_COMMON_EARLYLOAD_H

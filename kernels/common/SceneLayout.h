@@ -92,24 +92,13 @@ struct QuantizedBvhNode {
   uint32_t Reserved[2];
 };
 
-/// A plane, or one row of an affine map: Direction . P + Offset.
-struct PlaneEquation {
-  Vector3 Direction;
-  float Offset = 0;
-};
-
 /// Of a triangle that emits no light.
 inline constexpr uint32_t kNoEmitter = 0xFFFFFFFFu;
 
-/// A triangle in the form that intersects with the fewest operations: its plane
-/// with a unit normal, and the barycentric coordinates U (of vertex 1) and V
-/// (of vertex 2) as functions of the hit point. After D. Baldwin and M. Weber,
-/// "Fast Ray-Triangle Intersections by Coordinate Transformation", JCGT 5(3),
-/// 2016, without their reduction of the plane's row.
 struct TriangleRecord {
-  PlaneEquation Plane;
-  PlaneEquation U;
-  PlaneEquation V;
+  /// All that the test of a ray reads.
+  Vector3 Corners[3];
+  Vector3 UnitNormal;
   /// A copy of the material's, to save a dependent load.
   Vector3 BaseColor;
   /// The number of its material if that emits light, else kNoEmitter.
@@ -218,7 +207,7 @@ static_assert(sizeof(WideBvhNode) == 128 && sizeof(QuantizedBvhNode) == 64 &&
 static_assert(__builtin_offsetof(WideBvhNode, Child) == 96 &&
                   __builtin_offsetof(QuantizedBvhNode, Child) == 40 &&
                   __builtin_offsetof(SceneHeader, Camera) == 48 &&
-                  __builtin_offsetof(TriangleRecord, BaseColor) == 48,
+                  __builtin_offsetof(TriangleRecord, UnitNormal) == 36,
               "host and TP share one layout");
 
 /// The arrays of a flattened scene as pointers.
@@ -233,19 +222,23 @@ struct SceneView {
   const LightChoice *LightChoices;
 
   explicit SceneView(const void *Block)
-      : Header(static_cast<const SceneHeader *>(Block)),
-        Nodes(at<char>(Header->NodesOffset)),
-        QuantizedNodes(Header->QuantizedNodesOffset != 0
-                           ? at<char>(Header->QuantizedNodesOffset)
+      : SceneView(Block, *static_cast<const SceneHeader *>(Block)) {}
+
+  /// The scene at \p Block, of whose header \p Header is a copy that outlives
+  /// the view.
+  SceneView(const void *Block, const SceneHeader &Header)
+      : Header(&Header), Nodes(at<char>(Block, Header.NodesOffset)),
+        QuantizedNodes(Header.QuantizedNodesOffset != 0
+                           ? at<char>(Block, Header.QuantizedNodesOffset)
                            : nullptr),
-        Triangles(at<TriangleRecord>(Header->TrianglesOffset)),
-        Materials(at<MaterialRecord>(Header->MaterialsOffset)),
-        Lights(at<LightRecord>(Header->LightsOffset)),
-        LightChoices(at<LightChoice>(Header->LightChoicesOffset)) {}
+        Triangles(at<TriangleRecord>(Block, Header.TrianglesOffset)),
+        Materials(at<MaterialRecord>(Block, Header.MaterialsOffset)),
+        Lights(at<LightRecord>(Block, Header.LightsOffset)),
+        LightChoices(at<LightChoice>(Block, Header.LightChoicesOffset)) {}
 
 private:
-  template <typename T> const T *at(uint32_t Offset) const {
-    return reinterpret_cast<const T *>(reinterpret_cast<const char *>(Header) +
+  template <typename T> static const T *at(const void *Block, uint32_t Offset) {
+    return reinterpret_cast<const T *>(static_cast<const char *>(Block) +
                                        Offset);
   }
 };

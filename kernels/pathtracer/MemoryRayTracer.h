@@ -8,6 +8,7 @@
 #define TP_KERNELS_PATHTRACER_MEMORYRAYTRACER_H
 
 #include "kernels/bvh/BvhTraversal.h"
+#include "kernels/common/EarlyLoad.h"
 #include "kernels/pathtracer/PathTracer.h"
 
 namespace tp {
@@ -23,16 +24,19 @@ public:
 
   /// The first triangle that \p R meets before \p MaxDistance.
   TP_KERNEL_INLINE Hit findClosestHit(const Ray &R, float MaxDistance) {
+    const RayTriangleTester Triangles(R);
     const typename Format::BoxTester Boxes(R);
     Hit Found{MaxDistance, kNoTriangle};
-    findClosestHitBelow<Format>(Memory, Root, R, Boxes, Entries, Found);
+    findClosestHitBelow<Format>(Memory, Root, Triangles, Boxes, Entries, Found);
     return Found;
   }
 
   /// Whether \p R meets any triangle before \p MaxDistance.
   TP_KERNEL_INLINE bool isBlocked(const Ray &R, float MaxDistance) {
+    const RayTriangleTester Triangles(R);
     const typename Format::BoxTester Boxes(R);
-    return isBlockedBelow<Format>(Memory, Root, R, Boxes, Entries, MaxDistance);
+    return isBlockedBelow<Format>(Memory, Root, Triangles, Boxes, Entries,
+                                  MaxDistance);
   }
 
 private:
@@ -45,8 +49,10 @@ private:
 template <class Format = FullNodes>
 void renderPixelsFromMemory(const LaunchBlock &Launch) {
   TraversalStack::Entry Entries[TraversalStack::Capacity];
-  const SceneView Scene(devicePointer<const void>(Launch.Scene));
-  renderPixels(Launch, MemoryRayTracer<Format>(Scene, Entries));
+  const auto *Block = devicePointer<const SceneHeader>(Launch.Scene);
+  const SceneHeader Header = loadTogether(*Block);
+  const SceneView Scene(Block, Header);
+  renderPixels(Launch, Scene, MemoryRayTracer<Format>(Scene, Entries));
 }
 
 } // namespace tp

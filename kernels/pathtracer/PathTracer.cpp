@@ -10,6 +10,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "kernels/bvh/QuantizedNodes.h"
+#include "kernels/common/EarlyLoad.h"
 #include "kernels/pathtracer/MemoryRayTracer.h"
 
 #ifndef TP_NODE_FORMAT
@@ -17,7 +18,7 @@
 #endif
 
 int main() {
-  const tp::LaunchBlock Launch = tp::launchBlock();
+  const tp::LaunchBlock Launch = tp::loadTogether(tp::launchBlock());
   tp::renderPixelsFromMemory<tp::TP_NODE_FORMAT>(Launch);
   return 0;
 }

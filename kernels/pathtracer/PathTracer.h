@@ -63,10 +63,11 @@ TP_KERNEL_INLINE void loadHere(LightRecord &Light) {
 ///   bool isBlocked(const Ray &R, float MaxDistance): whether there is any.
 template <class RayTracer> class PathTracer {
 public:
-  /// \p Rays traces rays through the scene of \p Launch.
-  PathTracer(const LaunchBlock &Launch, const RayTracer &Rays)
-      : Rays(Rays), Scene(devicePointer<const void>(Launch.Scene)),
-        Camera(Scene.Header->Camera), LightCount(Scene.Header->LightCount),
+  /// \p Rays traces rays through \p Scene.
+  PathTracer(const LaunchBlock &Launch, const SceneView &Scene,
+             const RayTracer &Rays)
+      : Rays(Rays), Scene(Scene), Camera(Scene.Header->Camera),
+        LightCount(Scene.Header->LightCount),
         SurfaceOffset(Scene.Header->SurfaceOffset),
         LightScale(Scene.Header->LightScale),
         SamplesPerPixel(Launch.SamplesPerPixel), MaxDepth(Launch.MaxDepth),
@@ -195,7 +196,7 @@ inline Vector3 PathTracer<RayTracer>::tracePath(Ray R, uint32_t Pixel,
     // wait for memory once. Dimension 0 is the camera's; there are two events
     // at each vertex.
     const TriangleRecord &Triangle = Scene.Triangles[Found.Triangle];
-    Vector3 Normal = Triangle.Plane.Direction;
+    Vector3 Normal = Triangle.UnitNormal;
     Vector3 BaseColor = Triangle.BaseColor;
     uint32_t Emitter = Triangle.Emitter;
     loadHere(Normal);
@@ -219,11 +220,12 @@ inline Vector3 PathTracer<RayTracer>::tracePath(Ray R, uint32_t Pixel,
   }
 }
 
-/// Renders the launch's picture; all threads call it, and leave it together.
-/// \p Rays traces rays through the launch's scene.
+/// Renders the launch's picture of \p Scene; all threads call it, and leave it
+/// together. \p Rays traces rays through the scene.
 template <class RayTracer>
-void renderPixels(const LaunchBlock &Launch, const RayTracer &Rays) {
-  PathTracer<RayTracer> Tracer(Launch, Rays);
+void renderPixels(const LaunchBlock &Launch, const SceneView &Scene,
+                  const RayTracer &Rays) {
+  PathTracer<RayTracer> Tracer(Launch, Scene, Rays);
   uint32_t *Framebuffer = devicePointer<uint32_t>(Launch.Framebuffer);
   PixelQueue Queue(Launch);
   for (PixelPlace Place; Queue.take(Place);) {

@@ -17,6 +17,7 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "kernels/common/EarlyLoad.h"
 #include "kernels/pathtracer/PathTracer.h"
 #include "kernels/stackcache/SlotArgument.h"
 #include "kernels/treecache/CachedRayTracer.h"
@@ -38,8 +39,10 @@ int main(int ArgumentCount, char **Arguments) {
   using RayTracer = CachedRayTracer<TP_CACHE_FORMAT, TP_CACHE_POLICY>;
   using Cache = RayTracer::Cache;
 
-  const LaunchBlock Launch = launchBlock();
-  const SceneView Scene(devicePointer<const void>(Launch.Scene));
+  const LaunchBlock Launch = loadTogether(launchBlock());
+  const auto *Block = devicePointer<const SceneHeader>(Launch.Scene);
+  const SceneHeader Header = loadTogether(*Block);
+  const SceneView Scene(Block, Header);
   const LocalStoreSpace Space = freeLocalStore();
   const uint32_t StackBytes =
       traversalEntries(Scene.Header->BvhDepth) * sizeof(TraversalStack::Entry);
@@ -49,10 +52,11 @@ int main(int ArgumentCount, char **Arguments) {
   if (Slots == 0)
     return 1;
   auto *Entries = reinterpret_cast<TraversalStack::Entry *>(Space.Begin);
-  renderPixels(Launch, RayTracer(Scene,
-                                 Cache(Space.Begin + StackBytes, Slots,
-                                       TP_CACHE_FORMAT::Nodes::root(Scene)),
-                                 Entries));
+  renderPixels(Launch, Scene,
+               RayTracer(Scene,
+                         Cache(Space.Begin + StackBytes, Slots,
+                               TP_CACHE_FORMAT::Nodes::root(Scene)),
+                         Entries));
 #ifdef TP_CACHE_CHECK
   reportVerifiedDeletions();
 #endif
