@@ -16,8 +16,8 @@
 #define TP_KERNELS_BVH_BVHTRAVERSAL_H
 
 #include "kernels/bvh/RayBoxTester.h"
+#include "kernels/bvh/RayTriangleTester.h"
 #include "kernels/bvh/TraversalStack.h"
-#include "kernels/bvh/TriangleIntersection.h"
 #include "kernels/common/Inline.h"
 #include "kernels/common/RayEvents.h"
 #include "kernels/common/SceneLayout.h"
@@ -38,21 +38,20 @@ struct WideChildren {
   BvhReference References[kWideBvhWidth];
 };
 
-/// Replaces \p Found by the nearest hit that is nearer among \p Count triangles
-/// whose words begin at \p Records; \p First is the number of the first one in
-/// the scene.
-TP_KERNEL_INLINE void intersectTriangles(const TriangleRecord *Record,
-                                         uint32_t First, uint32_t Count,
-                                         const Ray &R, Hit &Found) {
+/// Replaces \p Found by the nearest hit that is nearer among the \p Count
+/// triangles at \p Records; \p First is the number of the first one in the
+/// scene.
+TP_KERNEL_INLINE void testTriangles(const TriangleRecord *Records,
+                                    uint32_t First, uint32_t Count,
+                                    const RayTriangleTester &Tester,
+                                    Hit &Found) {
+  constexpr uint32_t Stride = sizeof(TriangleRecord);
+  const char *Corners = reinterpret_cast<const char *>(Records);
   // Two at a time share one wait for memory.
-  for (; Count >= 2; Count -= 2, First += 2, Record += 2) {
-    const float DistanceA = intersectTriangle(Record[0], R);
-    const float DistanceB = intersectTriangle(Record[1], R);
-    Found.take(DistanceA, First);
-    Found.take(DistanceB, First + 1);
-  }
+  for (; Count >= 2; Count -= 2, First += 2, Corners += 2 * Stride)
+    Tester.test<2>(Corners, Stride, First, Found);
   if (Count != 0)
-    Found.take(intersectTriangle(*Record, R), First);
+    Tester.test<1>(Corners, Stride, First, Found);
 }
 
 /// The nodes of the scene as SceneLayout.h has them, as traversal sees them. A
@@ -78,13 +77,14 @@ struct BvhMemory {
   const TriangleRecord *Triangles;
 };
 
-/// Replaces \p Found by the nearest hit of \p R in the subtree \p Reference
+/// Replaces \p Found by the nearest hit of the ray in the subtree \p Reference
 /// that is nearer. \p Entries has room for what the subtree leaves to be
 /// visited.
 template <class Format>
 TP_KERNEL_INLINE void
 findClosestHitBelow(const BvhMemory &Memory, BvhReference Reference,
-                    const Ray &R, const typename Format::BoxTester &Boxes,
+                    const RayTriangleTester &Triangles,
+                    const typename Format::BoxTester &Boxes,
                     TraversalStack::Entry *Entries, Hit &Found) {
   TraversalStack Stack(Entries);
   // Not `Found` itself, which may live in the caller's memory.
@@ -100,8 +100,8 @@ findClosestHitBelow(const BvhMemory &Memory, BvhReference Reference,
     } else {
       rayEvent(RayEvent::TrianglesFromMemory, Reference);
       const uint32_t First = leafFirst(Reference);
-      intersectTriangles(Memory.Triangles + First, First, leafCount(Reference),
-                         R, Nearest);
+      testTriangles(Memory.Triangles + First, First, leafCount(Reference),
+                    Triangles, Nearest);
     }
     if (!Stack.popNearer(Nearest.Distance, Reference))
       break;
@@ -109,12 +109,13 @@ findClosestHitBelow(const BvhMemory &Memory, BvhReference Reference,
   Found = Nearest;
 }
 
-/// Whether \p R meets a triangle of the subtree \p Reference before
+/// Whether the ray meets a triangle of the subtree \p Reference before
 /// \p MaxDistance. \p Entries as in findClosestHitBelow(). Takes the children
 /// of a node in the order of memory: sorting would cost more than it saves.
 template <class Format>
 TP_KERNEL_INLINE bool
-isBlockedBelow(const BvhMemory &Memory, BvhReference Reference, const Ray &R,
+isBlockedBelow(const BvhMemory &Memory, BvhReference Reference,
+               const RayTriangleTester &Triangles,
                const typename Format::BoxTester &Boxes,
                TraversalStack::Entry *Entries, float MaxDistance) {
   TraversalStack Stack(Entries);
@@ -130,8 +131,8 @@ isBlockedBelow(const BvhMemory &Memory, BvhReference Reference, const Ray &R,
       rayEvent(RayEvent::TrianglesFromMemory, Reference);
       const uint32_t First = leafFirst(Reference);
       Hit Found{MaxDistance, kNoTriangle};
-      intersectTriangles(Memory.Triangles + First, First, leafCount(Reference),
-                         R, Found);
+      testTriangles(Memory.Triangles + First, First, leafCount(Reference),
+                    Triangles, Found);
       if (Found.Triangle != kNoTriangle)
         return true;
     }

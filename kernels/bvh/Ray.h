@@ -29,9 +29,12 @@ struct Hit {
   /// Position in the scene's triangle array, or kNoTriangle.
   uint32_t Triangle;
 
-  /// Replaces the hit by one that is nearer.
+  /// Replaces the hit by one that is nearer. Of two at the same distance, that
+  /// of the lower number is, so that the order of tests does not matter.
   void take(float OtherDistance, uint32_t OtherTriangle) {
-    const bool IsNearer = OtherDistance < Distance;
+    const bool IsNearer =
+        (OtherDistance < Distance) |
+        ((OtherDistance == Distance) & (OtherTriangle < Triangle));
     Distance = IsNearer ? OtherDistance : Distance;
     Triangle = IsNearer ? OtherTriangle : Triangle;
   }

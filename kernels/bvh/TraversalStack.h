@@ -8,7 +8,6 @@
 #define TP_KERNELS_BVH_TRAVERSALSTACK_H
 
 #include "kernels/bvh/RayBoxTester.h"
-#include "kernels/bvh/TriangleIntersection.h"
 #include "kernels/common/Inline.h"
 #include "kernels/common/SceneLayout.h"
 
@@ -70,6 +69,9 @@ private:
   Entry *Top;
 };
 
+/// Beyond every distance.
+inline constexpr float kNoChild = 0x1p127f;
+
 /// Pushes the children that the ray hits but for the nearest, which becomes
 /// \p Reference; false if it hits none.
 TP_KERNEL_INLINE bool descendToNearest(const BoxDistances &D,
@@ -78,12 +80,12 @@ TP_KERNEL_INLINE bool descendToNearest(const BoxDistances &D,
                                        BvhReference &Reference) {
   // Set even without a hit, lest its load waits for the decision.
   BvhReference Nearest = Children[0];
-  float NearestEnter = D.isHit(0) ? D.Enter[0] : kMissDistance;
+  float NearestEnter = D.isHit(0) ? D.Enter[0] : kNoChild;
   for (unsigned Child = 1; Child != kWideBvhWidth; ++Child) {
     if (!D.isHit(Child))
       continue;
     if (D.Enter[Child] < NearestEnter) {
-      if (NearestEnter != kMissDistance)
+      if (NearestEnter != kNoChild)
         Stack.push(Nearest, NearestEnter);
       Nearest = Children[Child];
       NearestEnter = D.Enter[Child];
@@ -92,7 +94,7 @@ TP_KERNEL_INLINE bool descendToNearest(const BoxDistances &D,
     }
   }
   Reference = Nearest;
-  return NearestEnter != kMissDistance;
+  return NearestEnter != kNoChild;
 }
 
 } // namespace tp

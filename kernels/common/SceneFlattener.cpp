@@ -116,25 +116,17 @@ static Double3 crossProduct(Double3 A, Double3 B) {
 static double dotProduct(Double3 A, Double3 B) {
   return A[0] * B[0] + A[1] * B[1] + A[2] * B[2];
 }
-/// The row Direction / Divisor that is 0 at \p Zero.
-static PlaneEquation makeRow(Double3 Direction, double Divisor, Double3 Zero) {
-  for (double &Component : Direction)
-    Component /= Divisor;
-  return {{float(Direction[0]), float(Direction[1]), float(Direction[2])},
-          float(-dotProduct(Direction, Zero))};
-}
-
 static TriangleRecord makeTriangle(const Triangle &Shape,
                                    const Material &Surface) {
   const Double3 Vertex = toDouble(Shape.Vertices[0]);
   const Double3 EdgeA = subtract(toDouble(Shape.Vertices[1]), Vertex);
   const Double3 EdgeB = subtract(toDouble(Shape.Vertices[2]), Vertex);
   const Double3 Normal = crossProduct(EdgeA, EdgeB);
-  const double LengthSquared = dotProduct(Normal, Normal);
+  const double Length = std::sqrt(dotProduct(Normal, Normal));
   TriangleRecord Record;
-  Record.Plane = makeRow(Normal, std::sqrt(LengthSquared), Vertex);
-  Record.U = makeRow(crossProduct(EdgeB, Normal), LengthSquared, Vertex);
-  Record.V = makeRow(crossProduct(Normal, EdgeA), LengthSquared, Vertex);
+  std::copy_n(Shape.Vertices, 3, Record.Corners);
+  Record.UnitNormal = {float(Normal[0] / Length), float(Normal[1] / Length),
+                       float(Normal[2] / Length)};
   Record.BaseColor = Surface.BaseColor;
   Record.Emitter = Surface.isEmissive() ? Shape.Material : kNoEmitter;
   return Record;

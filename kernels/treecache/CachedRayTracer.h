@@ -49,6 +49,7 @@ public:
   /// The first triangle that \p R meets before \p MaxDistance.
   TP_KERNEL_INLINE Hit findClosestHit(const Ray &R, float MaxDistance) {
     Rules.beginRay();
+    const RayTriangleTester Triangles(R);
     const BoxTester Boxes(R);
     const SlotMemory Words = Slots.memory();
     const char *const TaggedNodes = Words.at(0) - kInnerTag;
@@ -62,8 +63,9 @@ public:
           Link = fetch(Word, Link, Stack);
         if (!isLoadedInner(Link)) {
           if (!isLoaded(Link)) [[unlikely]] {
-            Nearest = closestHitInMemory(Link, R, Boxes, Stack.top(), Nearest);
-          } else if (intersectPart(Words, Link, R, Nearest)) {
+            Nearest = closestHitInMemory(Link, Triangles, Boxes, Stack.top(),
+                                         Nearest);
+          } else if (testPart(Words, Link, Triangles, Nearest)) {
             Word = Link - kLeafTag + Format::RestOffset;
             continue;
           }
@@ -85,6 +87,7 @@ public:
   /// Whether \p R meets any triangle before \p MaxDistance.
   TP_KERNEL_INLINE bool isBlocked(const Ray &R, float MaxDistance) {
     Rules.beginRay();
+    const RayTriangleTester Triangles(R);
     const BoxTester Boxes(R);
     const SlotMemory Words = Slots.memory();
     const char *const TaggedNodes = Words.at(0) - kInnerTag;
@@ -97,12 +100,13 @@ public:
           Link = fetch(Word, Link, Stack);
         if (!isLoadedInner(Link)) {
           if (!isLoaded(Link)) [[unlikely]] {
-            if (isBlockedInMemory(Link, R, Boxes, Stack.top(), MaxDistance))
+            if (isBlockedInMemory(Link, Triangles, Boxes, Stack.top(),
+                                  MaxDistance))
               return true;
             continue;
           }
           Hit Found{MaxDistance, kNoTriangle};
-          const bool HasRest = intersectPart(Words, Link, R, Found);
+          const bool HasRest = testPart(Words, Link, Triangles, Found);
           if (Found.Triangle != kNoTriangle)
             return true;
           Stack.pushIf(HasRest, Link - kLeafTag + Format::RestOffset);
@@ -170,55 +174,42 @@ private:
 
   /// Replaces \p Found by the nearest hit that is nearer in the part of a leaf
   /// that \p Link names; true if the leaf goes on behind it.
-  TP_KERNEL_INLINE bool intersectPart(SlotMemory Words, CacheLink Link,
-                                      const Ray &R, Hit &Found) {
+  TP_KERNEL_INLINE static bool testPart(const SlotMemory &Words,
+                                        CacheLink Link,
+                                        const RayTriangleTester &Triangles,
+                                        Hit &Found) {
     constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
-    noteVisit(Link);
-    const uint32_t Slot = Link - kLeafTag;
+    const uint32_t Slot = linkedSlot(Link);
     const char *Part = Words.at(Slot);
     const BvhReference Leaf = Words.word(Slot + Format::SourceOffset);
     const uint32_t First = leafFirst(Leaf);
     if (const uint32_t Count = leafCount(Leaf); Count >= PerSlot)
-      intersectTriangles<PerSlot>(Part, First, R, Found);
+      Triangles.test<PerSlot>(Part, kTriangleTestBytes, First, Found);
     else
-      for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
-        intersectTriangles<1>(Part + Triangle * kTriangleTestBytes,
-                              First + Triangle, R, Found);
+      for (uint32_t Number = 0; Number != Count; ++Number)
+        Triangles.test<1>(Part + Number * kTriangleTestBytes,
+                          kTriangleTestBytes, First + Number, Found);
     return Words.word(Slot + Format::RestOffset) != kNoRest;
   }
 
-  /// Replaces \p Found by the nearest hit that is nearer among the \p Count
-  /// triangles whose words begin at \p Words. The first one's number in the
-  /// scene is \p First.
-  template <uint32_t Count>
-  TP_KERNEL_INLINE static void intersectTriangles(const char *Words,
-                                                  uint32_t First, const Ray &R,
-                                                  Hit &Found) {
-    float Distances[Count];
-    for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
-      Distances[Triangle] =
-          intersectTriangle(*reinterpret_cast<const TriangleRecord *>(
-                                Words + Triangle * kTriangleTestBytes),
-                            R);
-    for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
-      Found.take(Distances[Triangle], First + Triangle);
-  }
-
   // Both take copies, so that those of the caller can stay in registers.
-  [[gnu::noinline]] Hit closestHitInMemory(BvhReference Reference, Ray R,
+  [[gnu::noinline]] Hit closestHitInMemory(BvhReference Reference,
+                                           RayTriangleTester Triangles,
                                            BoxTester Boxes,
                                            TraversalStack::Entry *Free,
                                            Hit Found) const {
     rayEvent(RayEvent::Bypass, Reference);
-    findClosestHitBelow<Nodes>(Memory, Reference, R, Boxes, Free, Found);
+    findClosestHitBelow<Nodes>(Memory, Reference, Triangles, Boxes, Free,
+                               Found);
     return Found;
   }
-  [[gnu::noinline]] bool isBlockedInMemory(BvhReference Reference, Ray R,
+  [[gnu::noinline]] bool isBlockedInMemory(BvhReference Reference,
+                                           RayTriangleTester Triangles,
                                            BoxTester Boxes,
                                            TraversalStack::Entry *Free,
                                            float MaxDistance) const {
     rayEvent(RayEvent::Bypass, Reference);
-    return isBlockedBelow<Nodes>(Memory, Reference, R, Boxes, Free,
+    return isBlockedBelow<Nodes>(Memory, Reference, Triangles, Boxes, Free,
                                  MaxDistance);
   }
 

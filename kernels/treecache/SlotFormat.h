@@ -28,7 +28,7 @@ namespace tp {
 
 /// Bytes of a TriangleRecord that a test reads.
 inline constexpr uint32_t kTriangleTestBytes =
-    __builtin_offsetof(TriangleRecord, BaseColor);
+    __builtin_offsetof(TriangleRecord, UnitNormal);
 
 /// Slots for nodes of \p NodeFormat (as FullNodes), of which they keep the
 /// first \p Bytes, and for leaf parts of up to \p Triangles triangles.

@@ -212,9 +212,9 @@ TEST(QuantizedBvh, RaysEnterNoLaterAndLeaveNoEarlierThanFullBoxes) {
     for (unsigned Round = 0; Round != 100; ++Round) {
       const Ray R = randomRay(Random, Kind, Node);
       const BoxDistances Full = RayBoxTester(R).test(
-          reinterpret_cast<const char *>(&Node), kMissDistance);
+          reinterpret_cast<const char *>(&Node), kNoChild);
       const BoxDistances Rounded = QuantizedBoxTester(R).test(
-          reinterpret_cast<const char *>(&Q), kMissDistance);
+          reinterpret_cast<const char *>(&Q), kNoChild);
       for (unsigned Child = 0; Child != Children; ++Child) {
         EXPECT_LE(Rounded.Enter[Child], Full.Enter[Child]);
         EXPECT_GE(Rounded.Leave[Child], Full.Leave[Child]);

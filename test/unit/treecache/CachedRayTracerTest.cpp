@@ -20,6 +20,7 @@
 #include "kernels/treecache/KeepTop.h"
 #include "kernels/treecache/LeastRecentlyUsed.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <type_traits>
 #include <utility>
@@ -58,6 +59,29 @@ private:
 
   std::vector<BvhReference> References;
   BvhReference Rest = kNoNode;
+};
+
+/// What a traversal of a scene's tree leaves to be visited, with a little more
+/// that it must not touch.
+class GuardedEntries {
+public:
+  explicit GuardedEntries(const SceneView &Scene)
+      : Entries(traversalEntries(Scene.Header->BvhDepth) + GuardCount, Guard) {}
+
+  TraversalStack::Entry *data() { return Entries.data(); }
+  bool isIntact() const {
+    return std::all_of(Entries.end() - GuardCount, Entries.end(),
+                       [](const TraversalStack::Entry &Entry) {
+                         return Entry.Reference == Guard.Reference &&
+                                Entry.Enter == Guard.Enter;
+                       });
+  }
+
+private:
+  static constexpr uint32_t GuardCount = 4;
+  static constexpr TraversalStack::Entry Guard = {0x5AFE5AFE, -1};
+
+  std::vector<TraversalStack::Entry> Entries;
 };
 
 /// What the policies of one test know.
@@ -164,14 +188,13 @@ void CachedRays<VariantType>::compare(const RandomTree &Tree,
   Seen.Source = treeCacheSource<typename Format::Nodes>(View);
   CurrentWitness = &Seen;
   CurrentProfileObserver = &Seen.Visited;
-  TraversalStack::Entry Entries[TraversalStack::Capacity];
-  TraversalStack::Entry CachedEntries[TraversalStack::Capacity];
+  GuardedEntries Entries(View), CachedEntries(View);
   std::vector<uint32_t> Memory(Cache::bytesFor(SlotCount) / sizeof(uint32_t));
-  MemoryRayTracer<typename Format::Nodes> Plain(View, Entries);
+  MemoryRayTracer<typename Format::Nodes> Plain(View, Entries.data());
   Tracer Cached(View,
                 Cache(reinterpret_cast<char *>(Memory.data()), SlotCount,
                       Format::Nodes::root(View)),
-                CachedEntries);
+                CachedEntries.data());
   RandomRays Rays(Seed);
   for (uint32_t Number = 0; Number != RayCount; ++Number) {
     const Ray R = Rays.next();
@@ -191,6 +214,8 @@ void CachedRays<VariantType>::compare(const RandomTree &Tree,
     EXPECT_EQ(Expected.Distance, Found.Distance);
   }
   CurrentProfileObserver = nullptr;
+  EXPECT_TRUE(Entries.isIntact());
+  EXPECT_TRUE(CachedEntries.isIntact());
 }
 
 TYPED_TEST(CachedRays, FindWhatPlainRaysFind) {

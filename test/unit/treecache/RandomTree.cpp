@@ -54,6 +54,8 @@ public:
   BvhReference grow(uint32_t First, uint32_t Count, uint32_t Depth);
 
   std::vector<WideBvhNode> Nodes;
+  /// Inner nodes on the longest way so far.
+  uint32_t LargestDepth = 0;
 
 private:
   bool endsWithLeaf(uint32_t Count, uint32_t Depth);
@@ -117,6 +119,7 @@ BvhReference Grower::grow(uint32_t First, uint32_t Count, uint32_t Depth) {
     return leafReference(First, Count);
   const size_t Number = Nodes.size();
   Nodes.emplace_back();
+  LargestDepth = std::max(LargestDepth, Depth + 1);
   const std::vector<uint32_t> Sizes = split(Count);
   for (uint32_t Slot = 0; Slot != kWideBvhWidth; ++Slot) {
     BoundingBox Box;
@@ -136,7 +139,7 @@ BvhReference Grower::grow(uint32_t First, uint32_t Count, uint32_t Depth) {
 
 /// Replaces the tree in a flattened scene.
 static void setTree(std::vector<uint8_t> &Bytes, BvhReference Root,
-                    const std::vector<WideBvhNode> &Nodes) {
+                    const std::vector<WideBvhNode> &Nodes, uint32_t Depth) {
   std::vector<QuantizedBvhNode> Quantized(Nodes.size());
   quantizeBvh(
       {Nodes.data(), uint32_t(Nodes.size()), 4 * HalfSide, Quantized.data()});
@@ -151,6 +154,7 @@ static void setTree(std::vector<uint8_t> &Bytes, BvhReference Root,
   SceneHeader Header;
   std::memcpy(&Header, Bytes.data(), sizeof(Header));
   Header.Root = Root;
+  Header.BvhDepth = Depth;
   Header.NodeCount = uint32_t(Nodes.size());
   Header.NodesOffset = Append(Nodes.data(), Nodes.size() * sizeof(Nodes[0]));
   Header.QuantizedNodesOffset =
@@ -164,11 +168,11 @@ RandomTree::RandomTree(TreeShape Shape, uint32_t TriangleCount, uint32_t Seed) {
   std::vector<uint8_t> Bytes =
       flattenScene(randomTriangles(TriangleCount, Generator));
   if (Shape == TreeShape::Empty) {
-    setTree(Bytes, kNoBvh, {});
+    setTree(Bytes, kNoBvh, {}, 0);
   } else if (Shape != TreeShape::Built) {
     Grower Tree(Shape, Generator);
     const BvhReference Root = Tree.grow(0, TriangleCount, 0);
-    setTree(Bytes, Root, Tree.Nodes);
+    setTree(Bytes, Root, Tree.Nodes, Tree.LargestDepth);
   }
   Block.reset(static_cast<uint8_t *>(
       ::operator new(Bytes.size(), std::align_val_t(kSceneAlignment))));
