@@ -19,6 +19,20 @@ bool TPTTIImpl::isLoweredToCall(const Function *F) const {
          BaseT::isLoweredToCall(F);
 }
 
+InstructionCost
+TPTTIImpl::getInstructionCost(const User *U, ArrayRef<const Value *> Operands,
+                              TTI::TargetCostKind Kind) const {
+  // Messages to the observer take no time: code with them is worth what it is
+  // without.
+  if (const auto *Call = dyn_cast<CallInst>(U))
+    if (const Function *Callee = Call->getCalledFunction()) {
+      TPBuiltin::ID Builtin = TPBuiltin::getID(*Callee);
+      if (Builtin == TPBuiltin::ID::prof || Builtin == TPBuiltin::ID::profv)
+        return TTI::TCC_Free;
+    }
+  return BaseT::getInstructionCost(U, Operands, Kind);
+}
+
 bool TPTTIImpl::areInlineCompatible(const Function *Caller,
                                     const Function *Callee) const {
   // Whether an operation is checked is decided by the function that it is in.

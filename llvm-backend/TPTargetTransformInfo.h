@@ -30,6 +30,9 @@ public:
   TPTTIImpl(const TPTargetMachine *TM, const Function &F);
 
   bool isLoweredToCall(const Function *F) const override;
+  InstructionCost getInstructionCost(const User *U,
+                                     ArrayRef<const Value *> Operands,
+                                     TTI::TargetCostKind Kind) const override;
   bool areInlineCompatible(const Function *Caller,
                            const Function *Callee) const override;
 
