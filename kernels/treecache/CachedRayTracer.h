@@ -65,9 +65,12 @@ public:
           if (!isLoaded(Link)) [[unlikely]] {
             Nearest = closestHitInMemory(Link, Triangles, Boxes, Stack.top(),
                                          Nearest);
-          } else if (testPart(Words, Link, Triangles, Nearest)) {
-            Word = Link - kLeafTag + Format::RestOffset;
-            continue;
+          } else {
+            noteVisit(Link);
+            if (testPart(Words, Link, Triangles, Nearest)) {
+              Word = Link - kLeafTag + Format::RestOffset;
+              continue;
+            }
           }
           if (!Stack.popNearer(Nearest.Distance, Word))
             return Nearest;
@@ -105,6 +108,7 @@ public:
               return true;
             continue;
           }
+          noteVisit(Link);
           Hit Found{MaxDistance, kNoTriangle};
           const bool HasRest = testPart(Words, Link, Triangles, Found);
           if (Found.Triangle != kNoTriangle)
