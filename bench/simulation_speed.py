@@ -41,7 +41,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         kernel = pathlib.Path(folder, "pathtracer.elf")
         subprocess.run(
-            [arguments.build / "bin/tpcc", "-O3", "-I", ROOT,
+            [arguments.build / "bin/tpcc", "-O3", "-DTP_NO_RAY_EVENTS", "-I", ROOT,
              ROOT / "kernels/pathtracer/PathTracer.cpp", "-o", kernel], check=True)
         command = [
             str(arguments.build / "bin/tpsim"), str(kernel),

@@ -10,6 +10,7 @@
 #include "kernels/common/RayEvents.h"
 #include "kernels/profile/DeletionRecorder.h"
 
+#include <memory>
 #include <string>
 
 namespace tp {
@@ -28,8 +29,11 @@ public:
   const std::string &contradiction() const { return Error; }
 
   /// Records deletion \p Number, from 1.
-  void recordDeletion(uint64_t Number) { Recorder.emplace(Number); }
-  const std::optional<DeletionRecorder> &recorder() const { return Recorder; }
+  void recordDeletion(uint64_t Number) {
+    Recorder = std::make_unique<DeletionRecorder>(Number);
+  }
+  /// Null if no deletion is to be recorded.
+  const DeletionRecorder *recorder() const { return Recorder.get(); }
 
 private:
   /// A PerRayCount in the making.
@@ -67,7 +71,7 @@ private:
   uint64_t EventNumber = 0;
 
   std::string Error;
-  std::optional<DeletionRecorder> Recorder;
+  std::unique_ptr<DeletionRecorder> Recorder;
 };
 
 } // namespace tp

@@ -302,9 +302,14 @@ static RunResult runWithProgress(Engine &Machine, const Options &Request,
       });
 }
 
-/// Hands the run's ray events to \p Rays if the user will see what they say.
-static llvm::Error observeRays(RayProfiler &Rays, const Options &Request,
-                               const ChipConfig &Chip, Engine &Machine) {
+/// Who interprets the run's ray events; null if the user will not see what they
+/// say.
+static Expected<std::unique_ptr<RayProfiler>>
+makeRayProfiler(const Options &Request, const ChipConfig &Chip) {
+  if (Request.CacheTraceOutput.empty() && Request.Quiet &&
+      Request.StatisticsOutput.empty())
+    return nullptr;
+  auto Rays = std::make_unique<RayProfiler>(Chip.threadCount());
   if (!Request.CacheTraceOutput.empty()) {
     if (Request.Scene.empty())
       return createStringError(
@@ -314,12 +319,9 @@ static llvm::Error observeRays(RayProfiler &Rays, const Options &Request,
       return createStringError("--trace-cache-thread: the chip has threads 0 "
                                "to " +
                                Twine(Chip.threadCount() - 1));
-    Rays.recordDeletion(Request.TracedDeletion);
-  } else if (Request.Quiet && Request.StatisticsOutput.empty()) {
-    return llvm::Error::success();
+    Rays->recordDeletion(Request.TracedDeletion);
   }
-  Machine.setObserver(&Rays);
-  return llvm::Error::success();
+  return Rays;
 }
 
 Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
@@ -337,9 +339,10 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
     return Dumps.takeError();
   if (llvm::Error E = checkOutputs(Request))
     return E;
-  RayProfiler Rays(Chip.threadCount());
-  if (llvm::Error E = observeRays(Rays, Request, Chip, Machine))
-    return E;
+  Expected<std::unique_ptr<RayProfiler>> Rays = makeRayProfiler(Request, Chip);
+  if (!Rays)
+    return Rays.takeError();
+  Machine.setObserver(Rays->get());
 
   ProgressLine Line(!Request.Quiet);
   RunResult Result =
@@ -356,13 +359,14 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
     Run.Image = ImageSettings{Image.Width, Image.Height, Image.SamplesPerPixel,
                               Image.MaxDepth, Image.Seed};
   }
-  llvm::Error Failures = addRayProfiles(Rays, Run);
+  llvm::Error Failures =
+      *Rays ? addRayProfiles(**Rays, Run) : llvm::Error::success();
   Failures = joinErrors(std::move(Failures),
                         writeResults(Run, Request, Ready.Block, Ready.Launch));
   if (!Request.CacheTraceOutput.empty())
     Failures =
         joinErrors(std::move(Failures),
-                   writeCacheTrace(Rays, Request, Ready.Block, Ready.Launch));
+                   writeCacheTrace(**Rays, Request, Ready.Block, Ready.Launch));
   for (const MemoryDump &Dump : *Dumps)
     Failures = joinErrors(std::move(Failures), write(Dump, Ready.Global));
   if (Request.Rendering.Bvh == BvhOrigin::Kernel && Run.ExitStatus == 0)

@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "kernels/profile/CacheMirror.h"
+#include "kernels/treecache/SlotFormat.h"
 
 #include "gtest/gtest.h"
 
@@ -18,8 +19,9 @@ constexpr uint32_t offset(uint32_t Slot) { return Slot * Shape.SlotBytes; }
 constexpr uint32_t childWord(uint32_t Slot, uint32_t Child) {
   return offset(Slot) + Shape.ChildOffset + 4 * Child;
 }
-/// Behind two triangles of 48 bytes.
-constexpr uint32_t restWord(uint32_t Slot) { return offset(Slot) + 96; }
+constexpr uint32_t restWord(uint32_t Slot) {
+  return offset(Slot) + Shape.SlotTriangles * kTriangleTestBytes;
+}
 
 /// The root in slot 0, below it an inner node in slot 1 and a leaf of five
 /// triangles, whose two first parts are in slots 2 and 3.
@@ -84,7 +86,7 @@ TEST_F(CacheMirrorTest, RefusesBadLoads) {
   EXPECT_STREQ(Mirror.load(0x100, Word, innerLink(offset(2))),
                "a load goes to a slot that is in use");
   for (uint32_t Bad : {offset(0) + 92, childWord(0, 4), childWord(4, 0),
-                       offset(2) + 100, childWord(0, 1) + 2})
+                       restWord(2) + 4, childWord(0, 1) + 2})
     EXPECT_STREQ(
         Mirror.load(0x100, Bad, innerLink(offset(4))),
         "the word that names a loaded slot is no link of a slot in use");
@@ -136,7 +138,7 @@ TEST(CacheMirror, ChecksTheShape) {
   EXPECT_EQ(CacheMirror::check({3, 64, 1, 40}), nullptr);
   EXPECT_NE(CacheMirror::check({0, 64, 1, 40}), nullptr);
   EXPECT_NE(CacheMirror::check({0x10000, 64, 1, 40}), nullptr);
-  EXPECT_NE(CacheMirror::check({3, 64, 2, 40}), nullptr);
+  EXPECT_NE(CacheMirror::check({3, 2 * kTriangleTestBytes, 2, 40}), nullptr);
   EXPECT_NE(CacheMirror::check({3, 64, 0, 40}), nullptr);
   EXPECT_NE(CacheMirror::check({3, 64, 1, 52}), nullptr);
   EXPECT_NE(CacheMirror::check({3, 66, 1, 40}), nullptr);
