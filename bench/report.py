@@ -22,15 +22,20 @@ from experiment.progress import run_all
 from experiment.results import (make_results, problems, read_results,
                                 write_results)
 from experiment.simulator import Simulator
-from experiment.table import markdown
+from experiment.table import markdown, summary
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 SCENES = ("cornell", "bunny", "maple", "engine", "conference_room", "hairball")
 IN_THE_TREE = {"cornell": ROOT / "scenes/cornell/cornell.gltf"}
 
-SECTION_BEGIN = "<!-- bench/report.py --markdown: begin -->"
-SECTION_END = "<!-- bench/report.py --markdown: end -->"
+RESULTS = "results"
+
+
+def section_marks(name):
+    """The lines of a manual between which a section's text stands."""
+    return [f"<!-- bench/report.py --section {name}: {end} -->"
+            for end in ("begin", "end")]
 
 
 def parse_arguments():
@@ -62,8 +67,12 @@ def parse_arguments():
         help="run nothing: table and charts of an earlier experiment")
     add("--markdown", type=pathlib.Path, metavar="FILE.md",
         help="also put the table into this file, between the lines "
-             f"'{SECTION_BEGIN}' and '{SECTION_END}', and the charts into the "
-             "folder images beside it")
+             f"'{section_marks(RESULTS)[0]}' and "
+             f"'{section_marks(RESULTS)[1]}', and the charts into the folder "
+             "images beside it")
+    add("--section", default=RESULTS, metavar="NAME",
+        help="another section of the file, which gets only what the cache "
+             f"gains, without charts ({RESULTS})")
     arguments = parser.parse_args()
     if min(*arguments.sizes, *arguments.latencies, arguments.spp,
            arguments.jobs) < 1:
@@ -89,20 +98,20 @@ def run_experiment(arguments):
     return make_results(runs, arguments.chip, picture, arguments.jobs)
 
 
-def split_section(path):
-    """What stands before and behind the two marks of a manual."""
+def split_section(path, name):
+    """What stands before and behind a section's text."""
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
-    before, begin, rest = text.partition(SECTION_BEGIN)
-    _, end, after = rest.partition(SECTION_END)
-    if not begin or not end:
-        raise BenchError(f"{path}: no lines '{SECTION_BEGIN}' and "
-                         f"'{SECTION_END}' to put the table between")
+    begin, end = section_marks(name)
+    before, found_begin, rest = text.partition(begin)
+    _, found_end, after = rest.partition(end)
+    if not found_begin or not found_end:
+        raise BenchError(f"{path}: no lines '{begin}' and '{end}' to put the "
+                         "table between")
     return before + begin, end + after
 
 
-def fill_section(path, table, charts):
-    """Replaces what stands between the two marks of a manual."""
-    before, after = split_section(path)
+def chart_links(path, charts):
+    """Copies the charts into the manual's folder of images."""
     images = path.parent / "images"
     images.mkdir(exist_ok=True)
     links = ""
@@ -110,7 +119,15 @@ def fill_section(path, table, charts):
         target = images / f"report-{chart.name}"
         shutil.copyfile(chart, target)
         links += f"![{title}](images/{target.name})\n\n"
-    path.write_text(f"{before}\n\n{links}{table}\n{after}", encoding="utf-8")
+    return links
+
+
+def fill_section(path, name, results, charts):
+    """Replaces the text of a section."""
+    before, after = split_section(path, name)
+    text = (chart_links(path, charts) + markdown(results, is_short=True)
+            if name == RESULTS else summary(results))
+    path.write_text(f"{before}\n\n{text}\n{after}", encoding="utf-8")
 
 
 def report(arguments):
@@ -118,7 +135,7 @@ def report(arguments):
     # What is missing shows before an hour of runs.
     load_pyplot()
     if arguments.markdown:
-        split_section(arguments.markdown)
+        split_section(arguments.markdown, arguments.section)
     arguments.folder.mkdir(parents=True, exist_ok=True)
     if arguments.source:
         results = read_results(arguments.source)
@@ -129,8 +146,7 @@ def report(arguments):
     (arguments.folder / "table.md").write_text(table, encoding="utf-8")
     charts = draw_all(results, arguments.folder)
     if arguments.markdown:
-        fill_section(arguments.markdown, markdown(results, is_short=True),
-                     charts)
+        fill_section(arguments.markdown, arguments.section, results, charts)
     print(table, end="")
     wrong = problems(results)
     for problem in wrong:

@@ -8,7 +8,7 @@ REASONS = ("data", "memory", "unit_conflict", "icache_conflict", "branch",
            "barrier", "sync", "sleep", "finished")
 
 # What a test of a triangle reads of it (kTriangleTestBytes).
-TRIANGLE_BYTES = 48
+TRIANGLE_BYTES = 36
 
 
 def figures(statistics, node_bytes):

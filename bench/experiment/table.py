@@ -17,13 +17,18 @@ CYCLE_COLUMNS = {
 NONE = "–"
 
 
-def markdown(results, is_short=False):
-    """Every part, each under its heading; Results.rows() says what is short."""
-    shown = results.rows(is_short)
+def summary(results):
+    """What the cache gains."""
     return "\n".join([
         *preface(results),
         "### Speed-up over the baseline", "", *speed_up_tables(results),
-        "### Bytes read from memory per ray", "", *traffic_tables(results),
+        "### Bytes read from memory per ray", "", *traffic_tables(results)])
+
+
+def markdown(results, is_short=False):
+    """Every part, each under its heading; Results.rows() says what is short."""
+    shown = results.rows(is_short)
+    return summary(results) + "\n" + "\n".join([
         "### Rays and cache", "", *ray_table(shown),
         "### Where the thread-cycles go", "", *cycle_table(shown)]) + "\n"
 

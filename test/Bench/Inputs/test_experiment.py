@@ -20,7 +20,7 @@ class Figures(unittest.TestCase):
         self.assertEqual(found["nodes_read_per_ray"], 3)
         self.assertEqual(found["triangles_read_per_ray"], 2)
         self.assertAlmostEqual(found["bytes_per_second"],
-                               (30 * 112 + 20 * 48) / 1e-6, places=0)
+                               (30 * 112 + 20 * 36) / 1e-6, places=0)
         self.assertEqual(found["threads"], 4)
         self.assertEqual(found["shares"]["memory"], 0.3)
         self.assertEqual(found["worst_unit_conflict"],
@@ -34,7 +34,7 @@ class Figures(unittest.TestCase):
         found = figures(make_statistics(1000, cached=True), 56)
         self.assertEqual(found["nodes_read_per_ray"], 0.3)
         self.assertAlmostEqual(found["bytes_per_second"],
-                               (3 * 56 + 2 * 48) / 1e-6, places=0)
+                               (3 * 56 + 2 * 36) / 1e-6, places=0)
         self.assertEqual(found["cache"]["deletions_per_ray"], 0.2)
         self.assertEqual(found["cache"]["hit_rate"], 0.8)
         self.assertEqual(found["cache"]["slots_freed"], 3.5)
