@@ -111,8 +111,9 @@ private:
     const float U = X[2] * Y[1] - Y[2] * X[1];
     const float V = X[0] * Y[2] - Y[0] * X[2];
     const float W = X[1] * Y[0] - Y[1] * X[0];
-    if (!((minimum(minimum(U, V), W) >= 0.0f) |
-          (maximum(maximum(U, V), W) <= 0.0f)))
+    const bool IsLeft = minimum(minimum(U, V), W) >= 0.0f;
+    const bool IsRight = maximum(maximum(U, V), W) <= 0.0f;
+    if (!(IsLeft | IsRight))
       return;
     // NaN if the ray passes along all three edges; then no comparison is true.
     const float Distance =

@@ -11,12 +11,13 @@
 //===----------------------------------------------------------------------===//
 
 #include "kernels/common/SceneFlattener.h"
+#include "kernels/embree/EmbreeScene.h"
+#include "kernels/embree/ExactHits.h"
 #include "kernels/pathtracer/MemoryRayTracer.h"
 #include "scenes/loader/SceneLoader.h"
 
 #include <cmath>
 #include <cstring>
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 #include <memory>
 #include <new>
@@ -25,72 +26,6 @@
 using namespace tp;
 
 namespace {
-
-/// The scene as Embree sees it.
-class EmbreeOracle {
-public:
-  explicit EmbreeOracle(const Scene &Source)
-      : Device(rtcNewDevice("threads=1")), World(rtcNewScene(Device)) {
-    RTCGeometry Geometry = rtcNewGeometry(Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const size_t Count = Source.Triangles.size();
-    auto *Vertices = static_cast<float *>(rtcSetNewGeometryBuffer(
-        Geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-        3 * sizeof(float), 3 * Count));
-    auto *Indices = static_cast<uint32_t *>(
-        rtcSetNewGeometryBuffer(Geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), Count));
-    for (size_t Corner = 0; Corner != 3 * Count; ++Corner) {
-      std::memcpy(Vertices + 3 * Corner,
-                  &Source.Triangles[Corner / 3].Vertices[Corner % 3],
-                  sizeof(Vector3));
-      Indices[Corner] = uint32_t(Corner);
-    }
-    rtcCommitGeometry(Geometry);
-    rtcAttachGeometry(World, Geometry);
-    rtcReleaseGeometry(Geometry);
-    rtcSetSceneFlags(World, RTC_SCENE_FLAG_ROBUST);
-    rtcCommitScene(World);
-  }
-  ~EmbreeOracle() {
-    rtcReleaseScene(World);
-    rtcReleaseDevice(Device);
-  }
-
-  /// The distance of the first hit, or a negative number.
-  float distance(const Ray &R, float MaxDistance) const {
-    RTCRayHit Query{};
-    setRay(Query.ray, R, MaxDistance);
-    Query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext Context;
-    rtcInitIntersectContext(&Context);
-    rtcIntersect1(World, &Context, &Query);
-    return Query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1 : Query.ray.tfar;
-  }
-
-  bool isBlocked(const Ray &R, float MaxDistance) const {
-    RTCRay Query{};
-    setRay(Query, R, MaxDistance);
-    RTCIntersectContext Context;
-    rtcInitIntersectContext(&Context);
-    rtcOccluded1(World, &Context, &Query);
-    return Query.tfar < 0;
-  }
-
-private:
-  static void setRay(RTCRay &Query, const Ray &R, float MaxDistance) {
-    Query.org_x = R.Origin.X;
-    Query.org_y = R.Origin.Y;
-    Query.org_z = R.Origin.Z;
-    Query.dir_x = R.Direction.X;
-    Query.dir_y = R.Direction.Y;
-    Query.dir_z = R.Direction.Z;
-    Query.tfar = MaxDistance;
-    Query.mask = ~0u;
-  }
-
-  RTCDevice Device;
-  RTCScene World;
-};
 
 /// A flattened scene at the alignment that it asks for.
 class FlatScene {
@@ -123,20 +58,21 @@ struct Comparison {
 template <typename MakeRay>
 static Comparison compare(const Scene &Source, unsigned Count,
                           float RelativeError, MakeRay Make) {
-  const EmbreeOracle Oracle(Source);
   const FlatScene Flat(Source);
+  const EmbreeScene Oracle(Flat.view());
   TraversalStack::Entry Entries[TraversalStack::Capacity];
   MemoryRayTracer<> Rays(Flat.view(), Entries);
   Comparison Result;
   for (; Result.Rays != Count; ++Result.Rays) {
     const Ray R = Make();
-    const float Expected = Oracle.distance(R, 1e30f);
+    const Hit Expected = Oracle.findClosestHit(R);
     const Hit Found = Rays.findClosestHit(R, 1e30f);
     const bool IsHit = Found.Triangle != kNoTriangle;
     Result.Hits += IsHit;
-    const bool Agrees = IsHit ? std::abs(Found.Distance - Expected) <=
-                                    RelativeError * (std::abs(Expected) + 1)
-                              : Expected < 0;
+    const bool Agrees =
+        IsHit ? std::abs(Found.Distance - Expected.Distance) <=
+                    RelativeError * (std::abs(Expected.Distance) + 1)
+              : Expected.Triangle == kNoTriangle;
     Result.Disagreements += !Agrees;
 
     const float End = IsHit ? Found.Distance * 1.5f : 1000.0f;
@@ -216,22 +152,82 @@ TEST(Intersection, AxisParallelRaysAgreeWithEmbree) {
   EXPECT_LE(Result.Disagreements, 12u);
 }
 
-/// A closed box: no ray from inside may escape but through an edge.
-TEST(Intersection, RaysInTheCornellBoxDoNotLeak) {
-  const ErrorOr<Scene> Box =
-      loadScene(std::string(TP_SCENES_FOLDER) + "/cornell/cornell.gltf");
-  ASSERT_TRUE(Box) << Box.message();
-  const FlatScene Flat(*Box);
+/// A sphere about the origin, of radius 10 with bumps, without a hole.
+static Scene bumpySphere(std::mt19937 &Generator) {
+  constexpr unsigned Rows = 24, Columns = 48;
+  std::uniform_real_distribution<float> Radius(9, 11);
+  std::vector<Vector3> Points;
+  for (unsigned Row = 0; Row <= Rows; ++Row)
+    for (unsigned Column = 0; Column != Columns; ++Column) {
+      // All points of the first and last row are one.
+      const bool IsPole = Row == 0 || Row == Rows;
+      if (IsPole && Column != 0) {
+        Points.push_back(Points.back());
+        continue;
+      }
+      const double Polar = M_PI * Row / Rows,
+                   Turn = 2 * M_PI * Column / Columns;
+      const float R = Radius(Generator);
+      Points.push_back({R * float(std::sin(Polar) * std::cos(Turn)),
+                        R * float(std::sin(Polar) * std::sin(Turn)),
+                        R * float(std::cos(Polar))});
+    }
+  Scene Result;
+  Result.Materials.resize(1);
+  for (unsigned Row = 0; Row != Rows; ++Row)
+    for (unsigned Column = 0; Column != Columns; ++Column) {
+      const unsigned Next = (Column + 1) % Columns;
+      const Vector3 A = Points[Row * Columns + Column];
+      const Vector3 B = Points[Row * Columns + Next];
+      const Vector3 C = Points[(Row + 1) * Columns + Column];
+      const Vector3 D = Points[(Row + 1) * Columns + Next];
+      if (Row != 0)
+        Result.Triangles.push_back({{A, B, C}, 0});
+      if (Row + 1 != Rows)
+        Result.Triangles.push_back({{B, D, C}, 0});
+    }
+  return Result;
+}
+
+/// No ray from inside a closed surface escapes, also where it meets edges and
+/// corners as exactly as floats allow.
+TEST(Intersection, RaysAtSharedEdgesDoNotLeak) {
+  std::mt19937 Generator(9);
+  const Scene Sphere = bumpySphere(Generator);
+  const FlatScene Flat(Sphere);
   TraversalStack::Entry Entries[TraversalStack::Capacity];
   MemoryRayTracer<> Rays(Flat.view(), Entries);
-  std::mt19937 Generator(9);
-  unsigned Escaped = 0;
-  for (unsigned I = 0; I != 200000; ++I) {
-    // From the middle, away from the open front.
-    Vector3 Direction = randomVector(Generator, -1, 1);
-    Direction.Z = std::abs(Direction.Z) + 0.5f;
-    const Ray R{{278, 400, 100}, Direction};
-    Escaped += Rays.findClosestHit(R, 1e30f).Triangle == kNoTriangle;
+  std::uniform_int_distribution<size_t> Number(0, Sphere.Triangles.size() - 1);
+  std::uniform_real_distribution<float> Share(0, 1);
+  for (unsigned I = 0; I != 300000; ++I) {
+    const Vector3(&Corners)[3] = Sphere.Triangles[Number(Generator)].Vertices;
+    const Vector3 Along = Corners[(I + 1) % 3] - Corners[I % 3];
+    const Vector3 Target =
+        Corners[I % 3] + Along * (I % 4 == 0 ? 0.0f : Share(Generator));
+    const Vector3 Origin = randomVector(Generator, -4, 4);
+    ASSERT_NE(Rays.findClosestHit({Origin, Target - Origin}, 1e30f).Triangle,
+              kNoTriangle);
+    ASSERT_TRUE(Rays.isBlocked({Origin, Target - Origin}, 2.0f));
   }
-  EXPECT_LE(Escaped, 2u);
+}
+
+/// Two walls in one place: the first in number is hit, whatever the order.
+TEST(Intersection, EqualDistancesGoToTheLowerNumber) {
+  Hit Found{1e30f, kNoTriangle};
+  for (uint32_t Triangle : {7u, 3u, 5u})
+    Found.take(2.0f, Triangle);
+  EXPECT_EQ(Found.Triangle, 3u);
+  Found.take(1.5f, 9);
+  EXPECT_EQ(Found.Triangle, 9u);
+}
+
+TEST(ExactHits, TellHowFarARayPassesFromTheEdge) {
+  TriangleRecord Triangle{};
+  Triangle.Corners[1] = {4, 0, 0};
+  Triangle.Corners[2] = {0, 4, 0};
+  const Ray Inside{{1, 0.25f, -3}, {0, 0, 2}};
+  EXPECT_EQ(passTriangle(Triangle, Inside).Distance, 1.5);
+  EXPECT_EQ(passTriangle(Triangle, Inside).Margin, 0.25);
+  const Ray Outside{{1, -0.5f, 3}, {0, 0, -1}};
+  EXPECT_EQ(passTriangle(Triangle, Outside).Margin, -0.5);
 }
