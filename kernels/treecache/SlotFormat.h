@@ -30,30 +30,30 @@ namespace tp {
 inline constexpr uint32_t kTriangleTestBytes =
     __builtin_offsetof(TriangleRecord, UnitNormal);
 
-/// Slots for nodes of \p NodeFormat (as FullNodes), of which they keep the
-/// first \p Bytes, and for leaf parts of up to \p Triangles triangles.
-template <class NodeFormat, uint32_t Bytes, uint32_t Triangles>
-struct SlotFormat {
+/// Slots for nodes of \p NodeFormat (as FullNodes) and for leaf parts of up to
+/// \p Triangles triangles.
+template <class NodeFormat, uint32_t Triangles> struct SlotFormat {
   using Nodes = NodeFormat;
-  static constexpr uint32_t NodeBytes = Bytes;
+  /// What is kept of a node: all up to its last reference.
+  static constexpr uint32_t NodeBytes =
+      Nodes::ChildOffset +
+      kWideBvhWidth * static_cast<uint32_t>(sizeof(BvhReference));
   static constexpr uint32_t TrianglesPerSlot = Triangles;
 
   // Offsets in bytes from the start of a slot.
   static constexpr uint32_t ChildOffset = Nodes::ChildOffset;
   static constexpr uint32_t RestOffset = Triangles * kTriangleTestBytes;
-  static constexpr uint32_t ParentOffset = NodeBytes;
-  static constexpr uint32_t SourceOffset = NodeBytes + 4;
-  static constexpr uint32_t PolicyOffset = NodeBytes + 8;
-
-  static_assert(ChildOffset + kWideBvhWidth * 4 <= NodeBytes &&
-                    RestOffset + 4 <= NodeBytes && NodeBytes % 4 == 0,
-                "a slot holds a node's links and a leaf's triangles");
+  static constexpr uint32_t ParentOffset =
+      NodeBytes > RestOffset + 4 ? NodeBytes : RestOffset + 4;
+  static constexpr uint32_t SourceOffset = ParentOffset + 4;
+  static constexpr uint32_t PolicyOffset = ParentOffset + 8;
 };
 
 /// Nodes with float boxes; 120 bytes without the policy's.
-using FullSlots = SlotFormat<FullNodes, 112, 2>;
-/// Nodes with quantized boxes; 64 bytes without the policy's.
-using QuantizedSlots = SlotFormat<QuantizedNodes, 56, 1>;
+using FullSlots = SlotFormat<FullNodes, 2>;
+/// Nodes with quantized boxes; 84 bytes without the policy's. Most leaves have
+/// two triangles: two slots for them would wait for memory twice.
+using QuantizedSlots = SlotFormat<QuantizedNodes, 2>;
 
 } // namespace tp
 

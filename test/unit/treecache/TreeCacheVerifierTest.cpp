@@ -379,7 +379,7 @@ bool matters(const LoadedCache<Format> &C, uint32_t Slot, uint32_t Offset,
     return true;
   const BvhReference Source = C.Slots.source(Slot);
   if (!isLeaf(Source))
-    return true;
+    return Offset < Format::NodeBytes;
   const uint32_t Count = std::min(leafCount(Source), Format::TrianglesPerSlot);
   return Offset < Count * kTriangleTestBytes || Offset == Format::RestOffset;
 }
