@@ -49,11 +49,11 @@ static Status parseNumber(const char *Option, const char *Text,
                "' is not a whole number below 2^32"};
 }
 
-static Status parseLocalStoreBytes(std::string_view Text, uint32_t &Bytes) {
+static Status parseLocalStoreBytes(const char *Text, uint32_t &Bytes) {
   constexpr uint32_t Unit = 16;
-  const char *const End = Text.data() + Text.size();
+  const char *const End = Text + std::strlen(Text);
   uint64_t Number = 0;
-  const auto Parsed = std::from_chars(Text.data(), End, Number);
+  const auto Parsed = std::from_chars(Text, End, Number);
   const std::string_view Suffix(Parsed.ptr, End);
   const bool IsNumber = Parsed.ec == std::errc() && Number <= UINT32_MAX;
   if (IsNumber && (Suffix == "KiB" || Suffix == "MiB"))

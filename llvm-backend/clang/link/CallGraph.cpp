@@ -42,7 +42,7 @@ symbolsOfCode(ArrayRef<std::unique_ptr<ElfObject>> Objects,
       if (Section && Section->Live && Section->isCode())
         BySection.insert({Section.get(), {}});
   auto Add = [&](const Symbol &S) {
-    if (auto Found = BySection.find(S.Section);
+    if (auto *Found = BySection.find(S.Section);
         Found != BySection.end() &&
         (S.Type == ELF::STT_FUNC || S.Type == ELF::STT_NOTYPE))
       Found->second.push_back(&S);

@@ -23,12 +23,14 @@ template <> struct llvm::GraphTraits<const tp::CallGraph *> {
   static NodeRef getEntryNode(const tp::CallGraph *Graph) {
     return Graph->Entry;
   }
+  // NOLINTBEGIN(readability-identifier-naming): LLVM's names.
   static ChildIteratorType child_begin(NodeRef Node) {
     return {Node->Calls.begin(), &callee};
   }
   static ChildIteratorType child_end(NodeRef Node) {
     return {Node->Calls.end(), &callee};
   }
+  // NOLINTEND(readability-identifier-naming)
 };
 
 namespace tp {

@@ -4,10 +4,10 @@
 //
 //===----------------------------------------------------------------------===//
 
-#include "tp/local_store.h"
 #include "runtime/host/HostRuntime.h"
 #include "tp/atomic.h"
 #include "tp/barrier.h"
+#include "tp/local_store.h"
 #include "tp/memory.h"
 #include "gtest/gtest.h"
 
