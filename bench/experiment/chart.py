@@ -17,6 +17,8 @@ CYCLE_STYLES = {
     "barrier": ("#F0E442", ["barrier"]),
     "other": ("#999999", ["branch", "sync", "sleep", "finished"]),
 }
+HIT_COLOR = "#0072B2"
+LOAD_COLOR = "#E69F00"
 GREY = "#555555"
 # Room for the names of the scenes, beside the panels.
 LEGEND_INCHES = 1.75
@@ -58,7 +60,8 @@ def draw_all(results, folder):
             ("speed", draw_speed, "Rays per second of the slowest and the "
                                   "fastest thread and of the chip"),
             ("speed-up", draw_speed_up, "Speed-up over local store"),
-            ("cycles", draw_cycles, "Where the thread-cycles go")):
+            ("cycles", draw_cycles, "Where the thread-cycles go"),
+            ("depth", draw_depths, "Hits and loads by depth in the tree")):
         figure = draw(pyplot, results)
         charts[save(figure, folder, name)] = title
         pyplot.close(figure)
@@ -250,3 +253,42 @@ def draw_stack(axes, position, width, run, baseline):
         axes.bar(position, part, bottom=bottom, width=width, color=color,
                  edgecolor="white", linewidth=0.5)
         bottom += part
+
+
+def draw_depths(pyplot, results):
+    """For each scene, how deep in the tree rays find what they visit loaded:
+    the first cached kernel, with the largest local store, at the highest
+    latency."""
+    columns = min(3, len(results.scenes))
+    lines = -(-len(results.scenes) // columns)
+    figure, grid = pyplot.subplots(
+        lines, columns, squeeze=False, sharex=True, layout="constrained",
+        figsize=(4 * columns + 0.4, 2.3 * lines + 0.8))
+    for axes in grid.flat[len(results.scenes):]:
+        axes.set_visible(False)
+    for axes, scene in zip(grid.flat, results.scenes):
+        axes.set_title(scene.replace("_", " "))
+        draw_depth(axes, results.find(
+            scene, results.kernels[0], max(results.local_stores),
+            max(results.latencies)))
+    for axes in grid[:, 0]:
+        axes.set_ylabel("visits per ray")
+    legend_above(figure, *grid[0][0].get_legend_handles_labels())
+    figure.supxlabel(f"depth in the tree, the root's is 0 ({results.kernels[0]}, "
+                     f"{max(results.local_stores)} KiB)", fontsize=10)
+    return figure
+
+
+def draw_depth(axes, run):
+    """Hits, and on them loads."""
+    cache, rays = run["figures"]["cache"], run["figures"]["rays"]
+    hits, loads = ([count / rays for count in cache[name]]
+                   for name in ("hits_by_depth", "loads_by_depth"))
+    depths = range(max(len(hits), len(loads)))
+    hits += [0] * (len(depths) - len(hits))
+    loads += [0] * (len(depths) - len(loads))
+    axes.bar(depths, hits, width=0.8, color=HIT_COLOR, label="found in a slot")
+    axes.bar(depths, loads, bottom=hits, width=0.8, color=LOAD_COLOR,
+             label="loaded from memory")
+    axes.grid(axis="y", color="#dddddd")
+    axes.xaxis.get_major_locator().set_params(integer=True)
