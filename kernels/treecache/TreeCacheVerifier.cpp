@@ -355,8 +355,11 @@ int describeViolation(const TreeCacheViolation &Violation, char *Buffer,
   }
   if (Violation.Rule == TreeCacheRule::SlotLost)
     return snprintf(Buffer, Bytes, "slot %u: %s", Violation.Slot, What);
+  const bool IsFree = Violation.Rule == TreeCacheRule::FreeLink ||
+                      Violation.Rule == TreeCacheRule::FreeListEnds;
   if (Violation.Slot == TreeCacheViolation::NoSlot)
-    return snprintf(Buffer, Bytes, "at the root: %s", What);
+    return snprintf(Buffer, Bytes, "at the %s: %s",
+                    IsFree ? "head of the free list" : "root", What);
   return snprintf(Buffer, Bytes, "word %u of slot %u: %s", Violation.Word,
                   Violation.Slot, What);
 }
