@@ -12,4 +12,7 @@
 /// memory.
 #define TP_KERNEL_INLINE [[gnu::always_inline]] inline
 
+/// The same for a lambda: between its parameters and its body.
+#define TP_LAMBDA_INLINE __attribute__((always_inline))
+
 #endif // TP_KERNELS_COMMON_INLINE_H

@@ -32,7 +32,7 @@ public:
   using Cache = TreeCache<Format, Policy::BytesPerSlot>;
 
   /// \p Slots is an empty cache of the tree Format::Nodes::root(\p Scene);
-  /// \p Entries has room for traversalEntries(BvhDepth of the scene).
+  /// \p Entries has room for TraversalStack::Capacity entries.
   CachedRayTracer(const SceneView &Scene, const Cache &Slots,
                   TraversalStack::Entry *Entries)
       : Memory{Nodes::nodes(Scene), Scene.Triangles}, Slots(Slots),
@@ -60,7 +60,7 @@ public:
       CacheLink Link = Words.word(Word);
       if (!isLoadedInner(Link)) {
         if (!isLoaded(Link))
-          Link = fetch(Word, Link, Stack);
+          Link = fetch(Word, Link, Stack.top());
         if (!isLoadedInner(Link)) {
           if (!isLoaded(Link)) [[unlikely]] {
             Nearest = closestHitInMemory(Link, Triangles, Boxes, Stack.top(),
@@ -100,7 +100,7 @@ public:
       CacheLink Link = Words.word(Word);
       if (!isLoadedInner(Link)) {
         if (!isLoaded(Link))
-          Link = fetch(Word, Link, Stack);
+          Link = fetch(Word, Link, Stack.top());
         if (!isLoadedInner(Link)) {
           if (!isLoaded(Link)) [[unlikely]] {
             if (isBlockedInMemory(Link, Triangles, Boxes, Stack.top(),
@@ -141,14 +141,18 @@ private:
   };
 
   /// Loads what \p Link at \p Word names, and returns the link to its slot; or
-  /// \p Link itself if no slot can be had.
+  /// \p Link itself if no slot can be had. The entries below \p Top are
+  /// waiting.
   TP_KERNEL_INLINE CacheLink fetch(uint32_t Word, BvhReference Link,
-                                   const TraversalStack &Stack) {
-    if (!Slots.hasFreeSlot()) [[unlikely]] {
-      if (!makeRoom(Word, Stack.top()))
-        return Link;
-    }
+                                   TraversalStack::Entry *Top) {
+    if (!Slots.hasFreeSlot()) [[unlikely]]
+      return fetchIntoFullCache(Word, Link, Top);
     return Slots.load(Memory, Word, Link);
+  }
+  [[gnu::noinline]] CacheLink fetchIntoFullCache(uint32_t Word,
+                                                 BvhReference Link,
+                                                 TraversalStack::Entry *Top) {
+    return makeRoom(Word, Top) ? Slots.load(Memory, Word, Link) : Link;
   }
 
   /// Once for each visit of a loaded \p Link.
@@ -159,8 +163,7 @@ private:
 
   /// Deletes a branch so that what \p Word names can be loaded; false if the
   /// policy has none. The entries below \p Top are waiting.
-  [[gnu::noinline]] bool makeRoom(uint32_t Word,
-                                  [[maybe_unused]] TraversalStack::Entry *Top) {
+  bool makeRoom(uint32_t Word, [[maybe_unused]] TraversalStack::Entry *Top) {
     const uint32_t Branch = Rules.chooseBranch(Slots, Word);
     if (Branch == kNoWord)
       return false;
@@ -178,8 +181,7 @@ private:
 
   /// Replaces \p Found by the nearest hit that is nearer in the part of a leaf
   /// that \p Link names; true if the leaf goes on behind it.
-  TP_KERNEL_INLINE static bool testPart(const SlotMemory &Words,
-                                        CacheLink Link,
+  TP_KERNEL_INLINE static bool testPart(const SlotMemory &Words, CacheLink Link,
                                         const RayTriangleTester &Triangles,
                                         Hit &Found) {
     constexpr uint32_t PerSlot = Format::TrianglesPerSlot;

@@ -89,23 +89,18 @@ public:
   bool hasFreeSlot() const { return Free != kNoSlot || Unused != End; }
 
   /// Copies what the link at \p Word names into a free slot, of which there
-  /// must be one, and returns the new link. The former link is \p Reference.
+  /// must be one, and returns the new link. The former link is \p Reference. Of
+  /// a leaf with more than one part it also loads the next ones, as far as the
+  /// words of one wait for memory and the free slots go.
   TP_KERNEL_INLINE CacheLink load(const BvhMemory &From, uint32_t Word,
                                   BvhReference Reference) {
-    const uint32_t Slot = takeSlot();
-    setWord(Slot + Format::ParentOffset, Word);
-    setWord(Slot + Format::SourceOffset, Reference);
-    const bool Leaf = isLeaf(Reference);
-    const CacheLink Link = Leaf ? leafLink(Slot) : innerLink(Slot);
-    setWord(Word, Link);
-    if (Leaf)
-      copyLeaf(From, Reference, Slot);
-    else
-      copyWords<Format::NodeBytes / 4>(Memory.at(Slot), From.Nodes + Reference);
-    rayEvent(RayEvent::SlotLoadFrom, Reference);
-    rayEvent(RayEvent::SlotLoadParent, Word);
-    rayEvent(RayEvent::SlotLoadInto, Link);
-    return Link;
+    if (!isLeaf(Reference))
+      return loadNode(From, Word, Reference);
+    if (leafCount(Reference) > Format::TrianglesPerSlot)
+      return loadParts(From, Word, Reference);
+    if (leafCount(Reference) == Format::TrianglesPerSlot)
+      return loadTriangles<Format::TrianglesPerSlot>(From, Word, Reference);
+    return loadTriangles<1>(From, Word, Reference);
   }
 
   /// Unloads what the loaded link at \p Word names with all below it, and
@@ -125,8 +120,77 @@ private:
     return Unused - SlotBytes;
   }
 
-  TP_KERNEL_INLINE void copyLeaf(const BvhMemory &From, BvhReference Leaf,
-                                 uint32_t Slot);
+  /// Whether there are at least \p Count free slots.
+  bool hasFreeSlots(uint32_t Count) const {
+    if (Unused + Count * SlotBytes <= End)
+      return true;
+    uint32_t Slot = Free;
+    while (Count != 0 && Slot != kNoSlot) {
+      Slot = parent(Slot);
+      --Count;
+    }
+    return Count == 0;
+  }
+
+  /// Takes a slot for \p Reference, which the link at \p Word names, and hangs
+  /// it there; returns its link.
+  TP_KERNEL_INLINE CacheLink hang(uint32_t Word, BvhReference Reference,
+                                  uint32_t Tag) {
+    const uint32_t Slot = takeSlot();
+    const CacheLink Link = Slot | Tag;
+    setWord(Word, Link);
+    setWord(Slot + Format::ParentOffset, Word);
+    setWord(Slot + Format::SourceOffset, Reference);
+    for (uint32_t Byte = 0; Byte != PolicyBytes; Byte += 4)
+      setWord(Slot + Format::PolicyOffset + Byte, 0);
+    rayEvent(RayEvent::SlotLoadFrom, Reference);
+    rayEvent(RayEvent::SlotLoadParent, Word);
+    rayEvent(RayEvent::SlotLoadInto, Link);
+    return Link;
+  }
+
+  TP_KERNEL_INLINE CacheLink loadNode(const BvhMemory &From, uint32_t Word,
+                                      BvhReference Node) {
+    constexpr uint32_t Count = Format::NodeBytes / 4;
+    const char *Source = From.Nodes + Node;
+    const WordsInFlight<Count> Words(
+        [&](uint32_t Index) TP_LAMBDA_INLINE { return Source + Index * 4; });
+    const CacheLink Link = hang(Word, Node, kInnerTag);
+    char *Target = Memory.at(Link - kInnerTag);
+    Words.store([&](uint32_t Index)
+                    TP_LAMBDA_INLINE { return Target + Index * 4; });
+    return Link;
+  }
+
+  /// Triangles that are loaded in one wait for memory, at most.
+  static constexpr uint32_t MaxTogether = 4;
+  static_assert(MaxTogether >= Format::TrianglesPerSlot);
+
+  /// Slots for so many triangles of a leaf.
+  static constexpr uint32_t partCount(uint32_t Triangles) {
+    return (Triangles + Format::TrianglesPerSlot - 1) /
+           Format::TrianglesPerSlot;
+  }
+
+  /// Loads of \p Leaf, which has more than one part, as much as load()
+  /// promises. Not inlined, because it takes all registers.
+  [[gnu::noinline]] CacheLink loadParts(const BvhMemory &From, uint32_t Word,
+                                        BvhReference Leaf) {
+    const uint32_t Count =
+        leafCount(Leaf) < MaxTogether ? leafCount(Leaf) : MaxTogether;
+    if (!hasFreeSlots(partCount(Count)))
+      return loadTriangles<Format::TrianglesPerSlot>(From, Word, Leaf);
+    if (Count == MaxTogether)
+      return loadTriangles<MaxTogether>(From, Word, Leaf);
+    if (Count == 3)
+      return loadTriangles<3>(From, Word, Leaf);
+    return loadTriangles<2>(From, Word, Leaf);
+  }
+
+  /// Loads the first \p Triangles of \p Leaf.
+  template <uint32_t Triangles>
+  TP_KERNEL_INLINE CacheLink loadTriangles(const BvhMemory &From, uint32_t Word,
+                                           BvhReference Leaf);
 
   const SlotMemory Memory;
   const uint32_t End;
@@ -135,22 +199,33 @@ private:
 };
 
 template <class Format, uint32_t PolicyBytes>
-TP_KERNEL_INLINE void
-TreeCache<Format, PolicyBytes>::copyLeaf(const BvhMemory &From,
-                                         BvhReference Leaf, uint32_t Slot) {
+template <uint32_t Triangles>
+TP_KERNEL_INLINE CacheLink TreeCache<Format, PolicyBytes>::loadTriangles(
+    const BvhMemory &From, uint32_t Word, BvhReference Leaf) {
   constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
-  const uint32_t First = leafFirst(Leaf);
-  const uint32_t Count = leafCount(Leaf);
-  const bool HasRest = Count > PerSlot;
-  setWord(Slot + Format::RestOffset,
-          HasRest ? leafReference(First + PerSlot, Count - PerSlot) : kNoRest);
-  const TriangleRecord *Records = From.Triangles + First;
-  if (Count >= PerSlot)
-    copyRecords<PerSlot>(Memory.at(Slot), Records);
-  else
-    for (uint32_t Triangle = 0; Triangle != Count; ++Triangle)
-      copyRecords<1>(Memory.at(Slot + Triangle * kTriangleTestBytes),
-                     Records + Triangle);
+  constexpr uint32_t PerTriangle = kTriangleTestBytes / 4;
+  const char *Records =
+      reinterpret_cast<const char *>(From.Triangles + leafFirst(Leaf));
+  const WordsInFlight<Triangles * PerTriangle> Words(
+      [&](uint32_t Index) TP_LAMBDA_INLINE {
+        return Records + Index / PerTriangle * sizeof(TriangleRecord) +
+               Index % PerTriangle * 4;
+      });
+
+  // Each part but the first hangs at the one before it.
+  uint32_t Slots[partCount(Triangles)];
+  for (uint32_t Part = 0; Part != partCount(Triangles); ++Part) {
+    Slots[Part] = linkedSlot(hang(Word, Leaf, kLeafTag));
+    Word = Slots[Part] + Format::RestOffset;
+    Leaf =
+        leafCount(Leaf) > PerSlot ? Leaf + (PerSlot << 4) - PerSlot : kNoRest;
+    setWord(Word, Leaf);
+  }
+  Words.store([&](uint32_t Index) TP_LAMBDA_INLINE {
+    constexpr uint32_t PerPart = PerSlot * PerTriangle;
+    return Memory.at(Slots[Index / PerPart]) + Index % PerPart * 4;
+  });
+  return leafLink(Slots[0]);
 }
 
 template <class Format, uint32_t PolicyBytes>
