@@ -2,7 +2,8 @@
 // program goes down the deepest chain of calls of each kind.
 //
 // RUN: %python %S/Inputs/check_bound.py %t.elf tpcc -O0 %s -DKIND=plain
-// RUN: %python %S/Inputs/check_bound.py %t.elf tpcc -O1 %s -DKIND=throughPointer
+// RUN: tpcc -O1 -S %s -o %t.s -DKIND=throughPointer
+// RUN: %python %S/Inputs/check_bound.py %t.elf tpcc %t.s
 // RUN: %python %S/Inputs/check_bound.py %t.elf tpcc -O0 %s -DKIND=throughObject
 // RUN: %python %S/Inputs/check_bound.py %t.elf tpcc -O2 %s -DKIND=tailCalls
 // RUN: %python %S/Inputs/check_bound.py %t.elf tpcc -O2 %s -DKIND=huge
