@@ -37,7 +37,8 @@ struct CacheShape {
 /// What happened to the caches of some threads.
 struct CacheProfile {
   CacheShape Shape;
-  /// Of nodes and parts of leaves in slots; those without a load are hits.
+  /// Of nodes and parts of leaves in slots; a hit is one that the ray need not
+  /// load for it.
   uint64_t Visits = 0;
   uint64_t Hits = 0;
   uint64_t Loads = 0;

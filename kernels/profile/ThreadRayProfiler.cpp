@@ -144,6 +144,7 @@ Contradiction ThreadRayProfiler::processShape(RayEvent Event, uint32_t Value) {
   if (const Contradiction Found = CacheMirror::check(Shape))
     return Found;
   Mirror.emplace(Shape);
+  AwaitingRay.resize(Shape.Slots);
   Counts.Cache.emplace();
   Counts.Cache->Shape = Shape;
   return nullptr;
@@ -175,7 +176,7 @@ Contradiction ThreadRayProfiler::load(CacheLink Into) {
   ++Cache.Loads;
   countAt(Cache.LoadsByDepth, Slot.Depth);
   Cache.PeakSlotsUsed = std::max(Cache.PeakSlotsUsed, Mirror->usedSlots());
-  JustLoaded = Into;
+  AwaitingRay[Mirror->slotOf(Into)] = Counts.rays();
   if (Recorder)
     Recorder->load(*Mirror, LoadParent);
   return nullptr;
@@ -191,13 +192,14 @@ Contradiction ThreadRayProfiler::visit(CacheLink Link) {
     ++NodesVisited.Current;
   CacheProfile &Cache = *Counts.Cache;
   ++Cache.Visits;
-  if (Link != JustLoaded) {
+  uint64_t &LoadedFor = AwaitingRay[Mirror->slotOf(Link)];
+  if (LoadedFor != Counts.rays()) {
     ++Cache.Hits;
     countAt(Cache.HitsByDepth, Slot.Depth);
     if (Recorder)
       Recorder->visit();
   }
-  JustLoaded = 0;
+  LoadedFor = 0;
   return nullptr;
 }
 

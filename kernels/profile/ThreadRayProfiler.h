@@ -65,8 +65,8 @@ private:
   /// The load at hand.
   BvhReference LoadFrom = 0;
   uint32_t LoadParent = 0;
-  /// What was loaded and not yet visited; 0 if nothing.
-  CacheLink JustLoaded = 0;
+  /// By slot, the ray for which it was loaded if that has not visited it yet.
+  std::vector<uint64_t> AwaitingRay;
   std::optional<RayEvent> Last;
   uint64_t EventNumber = 0;
 

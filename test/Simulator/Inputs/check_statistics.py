@@ -55,7 +55,8 @@ if "ray_profile" in statistics:
         check(f"{name} by thread", sum(threads[name]), profile[name])
     if "cache" in profile:
         cache = profile["cache"]
-        check("visits", cache["hits"] + cache["loads"], cache["visits"])
+        misses = cache["visits"] - cache["hits"]
+        check("misses up to the loads", min(misses, cache["loads"]), misses)
         check("hits by depth", sum(cache["hits_by_depth"]), cache["hits"])
         check("loads by depth", sum(cache["loads_by_depth"]), cache["loads"])
         check("deletions by size", sum(cache["slots_freed"]["histogram"]),

@@ -107,6 +107,21 @@ TEST_F(RayProfilerTest, CountsTheCache) {
             std::string::npos);
 }
 
+TEST_F(RayProfilerTest, VisitOfAnEarlierRaysLoadIsAHit) {
+  describeCache(3);
+  report(RayEvent::RayBegin, 0);
+  load(0, kRootWord, innerLink(0));
+  report(RayEvent::SlotLoadFrom, 0x80);
+  report(RayEvent::SlotLoadParent, childWord(0, 0));
+  report(RayEvent::SlotLoadInto, innerLink(SlotBytes));
+  report(RayEvent::SlotVisit, innerLink(0));
+  EXPECT_EQ(sum().Cache->Hits, 1u);
+  report(RayEvent::RayBegin, 0);
+  report(RayEvent::SlotVisit, innerLink(SlotBytes));
+  EXPECT_EQ(sum().Cache->Hits, 2u);
+  EXPECT_EQ(sum().Cache->Visits, 3u);
+}
+
 TEST_F(RayProfilerTest, RecordsADeletion) {
   Profiler.recordDeletion({0, 2});
   EXPECT_EQ(Profiler.recordedDeletion().message(),
