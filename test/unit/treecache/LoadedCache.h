@@ -94,14 +94,17 @@ public:
 
 private:
   void load(uint32_t Word, uint32_t End, std::vector<uint32_t> &Next) {
-    const BvhReference Reference = Slots.word(Word);
+    CacheLink Link = Slots.word(Word);
     // A missing child is the root again, or nothing.
-    const bool IsMissing =
-        Word != kRootWord && (Reference == kNoRest || Reference == kNoBvh);
-    if (Slots.firstUnused() == End || IsMissing)
+    if (Word != kRootWord && (Link == kNoRest || Link == kNoBvh))
       return;
-    const CacheLink Link = Slots.load(
-        {Format::Nodes::nodes(View), View.Triangles}, Word, Reference);
+    // The rest of a leaf may have come with its first part.
+    if (!isLoaded(Link)) {
+      if (Slots.firstUnused() >= End)
+        return;
+      Link =
+          Slots.load({Format::Nodes::nodes(View), View.Triangles}, Word, Link);
+    }
     for (uint32_t Child = 0; Child != Cache::childCount(Link); ++Child)
       Next.push_back(Cache::firstChildWord(Link) + Child * 4);
   }
