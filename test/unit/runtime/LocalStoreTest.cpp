@@ -81,7 +81,7 @@ TEST(HostRuntime, KernelsGetTheLaunchBlocksArguments) {
   auto *Addresses = tp::devicePointer<tp::DeviceAddress>(Launch.Arguments);
   for (int I : {0, 1})
     Addresses[I] = tp::host::allocate(8, 1);
-  std::strcpy(tp::devicePointer<char>(Addresses[1]), "slots=3");
+  std::memcpy(tp::devicePointer<char>(Addresses[1]), "slots=3", 8);
   EXPECT_EQ(tp::runOnHost(addingKernel, NumThreads, Launch), 0);
   EXPECT_EQ(*tp::devicePointer<uint32_t>(Launch.RayCounts), NumThreads * 9);
 }
