@@ -7,6 +7,7 @@
 #include "runtime/host/HostRuntime.h"
 #include "tp/barrier.h"
 #include "tp/memory.h"
+#include "tp/profile.h"
 #include "tp/stream.h"
 #include "tp/thread.h"
 #include <barrier>
@@ -28,6 +29,8 @@ std::mutex StreamMutex;
 thread_local uint32_t CurrentThreadId = 0;
 
 } // namespace
+
+ProfileObserver *CurrentProfileObserver = nullptr;
 
 const LaunchBlock &launchBlock() { return CurrentLaunch; }
 

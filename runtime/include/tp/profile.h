@@ -41,7 +41,7 @@ public:
 };
 
 /// The observer of the running kernel, or none. Set it while no kernel runs.
-inline ProfileObserver *CurrentProfileObserver = nullptr;
+extern ProfileObserver *CurrentProfileObserver;
 
 uint32_t threadId();
 
