@@ -17,19 +17,24 @@ namespace {
 using Loaded = LoadedCache<FullSlots>;
 using Cache = Loaded::Cache;
 
-/// Long leaves, a free list of a few slots, and slots that were never used.
+/// Long leaves of which some are not loaded, a free list of a few slots, and
+/// slots that were never used.
 class TreeCacheVerifier : public testing::Test {
 protected:
   TreeCacheVerifier() : Tree(TreeShape::LongLeaves, 400, 1), C(Tree, 210, 10) {
-    const std::vector<uint32_t> Words = C.loadedWords();
-    // A branch of several slots, all but the last of which are taken again.
-    for (uint32_t Word : Words)
-      if (Word != kRootWord && isLoadedLeaf(C.Slots.word(Word))) {
-        FreedCount = C.Slots.unloadBranch(Word);
-        break;
-      }
+    // A leaf, and the last part of another.
+    for (bool IsRest : {false, true})
+      for (uint32_t Word : C.loadedWords())
+        if (Word != kRootWord && isLoadedLeaf(C.Slots.word(Word)) &&
+            isRestWord(Word) == IsRest) {
+          FreedCount += C.Slots.unloadBranch(Word);
+          break;
+        }
   }
 
+  bool isRestWord(uint32_t Word) const {
+    return isLeaf(C.Slots.source(Cache::slotOfWord(Word)));
+  }
   void expectRule(TreeCacheRule Rule) { expectRule(Rule, C.state()); }
   void expectRule(TreeCacheRule Rule, const TreeCacheState &State,
                   const TreeCachePath *Path = nullptr) {
