@@ -118,7 +118,7 @@ def chart_links(path, charts):
     for chart, title in charts.items():
         target = images / f"report-{chart.name}"
         shutil.copyfile(chart, target)
-        links += f"![{title}](images/{target.name})\n\n"
+        links += f"**{title}**\n\n![{title}](images/{target.name})\n\n"
     return links
 
 

@@ -21,8 +21,8 @@ def summary(results):
     """What the cache gains."""
     return "\n".join([
         *preface(results),
-        "### Speed-up over the baseline", "", *speed_up_tables(results),
-        "### Bytes read from memory per ray", "", *traffic_tables(results)])
+        "### Speed-up over the baseline", "", *speed_up_table(results),
+        "### Bytes read from memory per ray", "", *traffic_table(results)])
 
 
 def markdown(results, is_short=False):
@@ -70,38 +70,31 @@ def rows(header, cells):
             *("| " + " | ".join(line) + " |" for line in cells), ""]
 
 
-def speed_up_tables(results):
-    """For each stack-cached kernel: scenes down, local store and latency
-    across."""
-    lines = []
-    for kernel in results.kernels:
-        columns = [(latency, size) for latency in results.latencies
-                   for size in results.local_stores]
-        header = [kernel, *(f"{size} KiB, {latency}"
-                            for latency, size in columns)]
-        cells = [[scene, *(speed_up(results.find(scene, kernel, size, latency))
-                           for latency, size in columns)]
-                 for scene in results.scenes]
-        lines += rows(header, cells)
-    return lines
+def speed_up_table(results):
+    """Scenes and stack-cached kernels down, local store and latency across."""
+    columns = [(latency, size) for latency in results.latencies
+               for size in results.local_stores]
+    header = ["scene", "kernel", *(f"{size} KiB, {latency}"
+                                   for latency, size in columns)]
+    return rows(header, [
+        [scene, kernel, *(speed_up(results.find(scene, kernel, size, latency))
+                          for latency, size in columns)]
+        for scene in results.scenes for kernel in results.kernels])
 
 
 def speed_up(run):
     return NONE if run is None else f"{run['speed_up']:.2f}"
 
 
-def traffic_tables(results):
+def traffic_table(results):
     """At the highest latency, on which what is read hardly depends."""
-    lines = []
     latency, sizes = max(results.latencies), results.local_stores
-    for kernel in results.kernels:
-        header = [kernel, "baseline", *(f"{size} KiB" for size in sizes)]
-        cells = [[scene, traffic(results.baseline(scene, latency)),
-                  *(traffic(results.find(scene, kernel, size, latency))
-                    for size in sizes)]
-                 for scene in results.scenes]
-        lines += rows(header, cells)
-    return lines
+    header = ["scene", "kernel", "baseline", *(f"{size} KiB" for size in sizes)]
+    return rows(header, [
+        [scene, kernel, traffic(results.baseline(scene, latency)),
+         *(traffic(results.find(scene, kernel, size, latency))
+           for size in sizes)]
+        for scene in results.scenes for kernel in results.kernels])
 
 
 def traffic(run):
