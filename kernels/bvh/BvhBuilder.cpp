@@ -10,7 +10,7 @@ namespace tp {
 
 namespace {
 
-constexpr unsigned BinCount = 16;
+constexpr unsigned BinCount = 32;
 
 /// Maps primitives to bins by their centres. The scale is computed once, so
 /// that counting and partitioning round alike, and the bin is clamped, as in

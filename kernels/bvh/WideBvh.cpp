@@ -6,20 +6,74 @@
 
 #include "kernels/bvh/WideBvh.h"
 
+#include "kernels/common/FloatMath.h"
+
 namespace tp {
 
 namespace {
 
-/// The children of one wide node while it is made.
+/// The children of one wide node while it is made, from left to right.
 struct Family {
   BoundingBox Boxes[kWideBvhWidth];
   BvhReference References[kWideBvhWidth];
+  /// The children that each may still become.
+  uint32_t Budgets[kWideBvhWidth];
   uint32_t Count = 0;
 
-  void set(uint32_t Slot, const BvhNode &Parent, unsigned Child) {
+  void set(uint32_t Slot, const BvhNode &Parent, unsigned Child,
+           uint32_t Budget) {
     Boxes[Slot] = Parent.Boxes[Child];
     References[Slot] = Parent.Child[Child];
+    Budgets[Slot] = Budget;
   }
+  /// Puts the two children of \p Node, of which the left one gets \p
+  /// LeftBudget, in the place of \p Slot.
+  void open(uint32_t Slot, const BvhNode &Node, uint32_t LeftBudget) {
+    const uint32_t Budget = Budgets[Slot];
+    for (uint32_t To = Count; To != Slot + 1; --To) {
+      Boxes[To] = Boxes[To - 1];
+      References[To] = References[To - 1];
+      Budgets[To] = Budgets[To - 1];
+    }
+    set(Slot, Node, 0, LeftBudget);
+    set(Slot + 1, Node, 1, Budget - LeftBudget);
+    ++Count;
+  }
+};
+
+/// How the children of a binary node share a budget.
+struct Split {
+  uint32_t LeftBudget;
+  /// Of both sides.
+  float Cost;
+};
+
+/// Finds, for every binary subtree, the wide nodes with the least sum of
+/// surfaces that can stand for it below a parent that has 1, 2 or 3 slots for
+/// it.
+class Collapse {
+public:
+  explicit Collapse(const WideBvhStorage &Storage) : Storage(Storage) {}
+
+  /// Measures the subtree \p Root, which is no leaf.
+  void measure(BvhReference Root);
+  /// The best children of a wide node for the subtree \p Parent.
+  Family gatherChildren(BvhReference Parent) const;
+
+private:
+  void measureNode(BvhReference Node);
+  Split findSplit(const BvhNode &Node, uint32_t Budget) const;
+  /// The words of a wide node that nobody else needs hold the costs of the
+  /// binary node of the same number.
+  uint32_t &cost(BvhReference Node, uint32_t Budget) const {
+    return Storage.WideNodes[Node].Reserved[Budget - 1];
+  }
+  float readCost(BvhReference Subtree, uint32_t Budget) const {
+    return isLeaf(Subtree) ? 0.0f
+                           : __builtin_bit_cast(float, cost(Subtree, Budget));
+  }
+
+  const WideBvhStorage &Storage;
 };
 
 /// A subtree that waits to be made wide.
@@ -33,33 +87,70 @@ struct Task {
 
 } // namespace
 
-/// The inner node among the children that rays are most likely to hit;
-/// kWideBvhWidth if all are leaves.
-static uint32_t findLargestInnerChild(const Family &Children) {
-  uint32_t Largest = kWideBvhWidth;
-  float LargestArea = -1.0f;
-  for (uint32_t Slot = 0; Slot != Children.Count; ++Slot) {
-    const float Area = Children.Boxes[Slot].halfArea();
-    if (!isLeaf(Children.References[Slot]) && Area > LargestArea) {
-      Largest = Slot;
-      LargestArea = Area;
-    }
+Split Collapse::findSplit(const BvhNode &Node, uint32_t Budget) const {
+  Split Best{1,
+             readCost(Node.Child[0], 1) + readCost(Node.Child[1], Budget - 1)};
+  for (uint32_t Left = 2; Left != Budget; ++Left) {
+    const float Cost =
+        readCost(Node.Child[0], Left) + readCost(Node.Child[1], Budget - Left);
+    if (Cost < Best.Cost)
+      Best = {Left, Cost};
   }
-  return Largest;
+  return Best;
 }
 
-static Family gatherChildren(const BvhNode *Nodes, BvhReference Parent) {
+/// Its children have been measured.
+void Collapse::measureNode(BvhReference Number) {
+  const BvhNode &Node = Storage.Nodes[Number];
+  BoundingBox Box = Node.Boxes[0];
+  Box.extend(Node.Boxes[1]);
+  const float AsOne = Box.halfArea() + findSplit(Node, kWideBvhWidth).Cost;
+  cost(Number, 1) = __builtin_bit_cast(uint32_t, AsOne);
+  for (uint32_t Budget = 2; Budget != kWideBvhWidth; ++Budget)
+    cost(Number, Budget) = __builtin_bit_cast(
+        uint32_t, minimum(AsOne, findSplit(Node, Budget).Cost));
+}
+
+void Collapse::measure(BvhReference Root) {
+  struct Visit {
+    BvhReference Number;
+    bool ChildrenMeasured;
+  };
+  // On each level a node that waits for its children, and one of these.
+  Visit Pending[2 * kMaxBvhDepth + 1];
+  uint32_t PendingCount = 1;
+  Pending[0] = {Root, false};
+  while (PendingCount != 0) {
+    Visit &Current = Pending[PendingCount - 1];
+    if (Current.ChildrenMeasured) {
+      measureNode(Current.Number);
+      --PendingCount;
+      continue;
+    }
+    Current.ChildrenMeasured = true;
+    for (BvhReference Child : Storage.Nodes[Current.Number].Child)
+      if (!isLeaf(Child))
+        Pending[PendingCount++] = {Child, false};
+  }
+}
+
+Family Collapse::gatherChildren(BvhReference Parent) const {
   Family Children;
-  Children.set(0, Nodes[Parent], 0);
-  Children.set(1, Nodes[Parent], 1);
-  Children.Count = 2;
-  while (Children.Count != kWideBvhWidth) {
-    const uint32_t Opened = findLargestInnerChild(Children);
-    if (Opened == kWideBvhWidth)
-      break;
-    const BvhNode &Node = Nodes[Children.References[Opened]];
-    Children.set(Opened, Node, 0);
-    Children.set(Children.Count++, Node, 1);
+  Children.Count = 1;
+  Children.Budgets[0] = kWideBvhWidth;
+  const BvhNode &Node = Storage.Nodes[Parent];
+  Children.open(0, Node, findSplit(Node, kWideBvhWidth).LeftBudget);
+  for (uint32_t Slot = 0; Slot != Children.Count;) {
+    const BvhReference Child = Children.References[Slot];
+    const uint32_t Budget = Children.Budgets[Slot];
+    if (!isLeaf(Child) && Budget != 1) {
+      const Split Opened = findSplit(Storage.Nodes[Child], Budget);
+      if (Opened.Cost < readCost(Child, 1)) {
+        Children.open(Slot, Storage.Nodes[Child], Opened.LeftBudget);
+        continue;
+      }
+    }
+    ++Slot;
   }
   return Children;
 }
@@ -75,6 +166,9 @@ static void setBounds(WideBvhNode &Node, uint32_t Slot,
 BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root) {
   Storage.WideNodeCount = 0;
   Storage.Depth = 0;
+  Collapse Best(Storage);
+  if (!isLeaf(Root))
+    Best.measure(Root);
   BvhReference WideRoot = 0;
   Task Pending[kMaxBvhDepth * (kWideBvhWidth - 1) + 1];
   uint32_t PendingCount = 1;
@@ -90,16 +184,19 @@ BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root) {
     const uint32_t Number = Storage.WideNodeCount++;
     *Current.Result = Number * static_cast<uint32_t>(sizeof(WideBvhNode));
     WideBvhNode &Node = Storage.WideNodes[Number];
-    const Family Children = gatherChildren(Storage.Nodes, Current.Subtree);
-    Node = WideBvhNode();
+    const Family Children = Best.gatherChildren(Current.Subtree);
     for (uint32_t Slot = 0; Slot != kWideBvhWidth; ++Slot) {
       // Family's boxes without a child are empty: upside down.
       setBounds(Node, Slot, Children.Boxes[Slot]);
+      Node.Child[Slot] = 0;
       if (Slot < Children.Count)
         Pending[PendingCount++] = {Children.References[Slot], &Node.Child[Slot],
                                    Current.Depth + 1};
     }
   }
+  for (uint32_t Number = 0; Number != Storage.WideNodeCount; ++Number)
+    for (uint32_t &Word : Storage.WideNodes[Number].Reserved)
+      Word = 0;
   return WideRoot;
 }
 

@@ -27,9 +27,12 @@ struct WideBvhStorage {
   uint32_t Depth = 0;
 };
 
-/// Takes up to four descendants of each node together, always opening the child
-/// with the largest surface, and returns the new root. A root that is a leaf
-/// stays one. Leaves stay what they are; no path gets longer.
+/// Takes up to four descendants of each node together, so that the sum of the
+/// surfaces of the wide nodes, and with it the number that rays visit, is as
+/// small as it can be; returns the new root. A root that is a leaf stays one.
+/// Leaves stay what they are; no path gets longer. After H. Ylitie, T. Karras
+/// and S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
+/// Wide BVHs", HPG 2017.
 BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root);
 
 } // namespace tp
