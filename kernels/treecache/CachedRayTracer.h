@@ -184,18 +184,24 @@ private:
   TP_KERNEL_INLINE static bool testPart(const SlotMemory &Words, CacheLink Link,
                                         const RayTriangleTester &Triangles,
                                         Hit &Found) {
-    constexpr uint32_t PerSlot = Format::TrianglesPerSlot;
     const uint32_t Slot = linkedSlot(Link);
     const char *Part = Words.at(Slot);
     const BvhReference Leaf = Words.word(Slot + Format::SourceOffset);
-    const uint32_t First = leafFirst(Leaf);
-    if (const uint32_t Count = leafCount(Leaf); Count >= PerSlot)
-      Triangles.test<PerSlot>(Part, kTriangleTestBytes, First, Found);
-    else
-      for (uint32_t Number = 0; Number != Count; ++Number)
-        Triangles.test<1>(Part + Number * kTriangleTestBytes,
-                          kTriangleTestBytes, First + Number, Found);
+    testTriangles<Format::TrianglesPerSlot>(Part, leafFirst(Leaf),
+                                            leafCount(Leaf), Triangles, Found);
     return Words.word(Slot + Format::RestOffset) != kNoRest;
+  }
+
+  /// Tests the first \p Count triangles of a slot, or \p Most if that is less.
+  template <uint32_t Most>
+  TP_KERNEL_INLINE static void
+  testTriangles(const char *Part, uint32_t First, uint32_t Count,
+                const RayTriangleTester &Triangles, Hit &Found) {
+    if constexpr (Most != 0) {
+      if (Count < Most)
+        return testTriangles<Most - 1>(Part, First, Count, Triangles, Found);
+      Triangles.test<Most>(Part, kTriangleTestBytes, First, Found);
+    }
   }
 
   // Both take copies, so that those of the caller can stay in registers.

@@ -96,11 +96,10 @@ public:
                                   BvhReference Reference) {
     if (!isLeaf(Reference))
       return loadNode(From, Word, Reference);
-    if (leafCount(Reference) > Format::TrianglesPerSlot)
+    const uint32_t Count = leafCount(Reference);
+    if (Count > Format::TrianglesPerSlot)
       return loadParts(From, Word, Reference);
-    if (leafCount(Reference) == Format::TrianglesPerSlot)
-      return loadTriangles<Format::TrianglesPerSlot>(From, Word, Reference);
-    return loadTriangles<1>(From, Word, Reference);
+    return loadPart<Format::TrianglesPerSlot>(From, Word, Reference, Count);
   }
 
   /// Unloads what the loaded link at \p Word names with all below it, and
@@ -163,8 +162,10 @@ private:
   }
 
   /// Triangles that are loaded in one wait for memory, at most.
-  static constexpr uint32_t MaxTogether = 4;
-  static_assert(MaxTogether >= Format::TrianglesPerSlot);
+  static constexpr uint32_t MaxTogether = 6;
+  static_assert(MaxTogether > Format::TrianglesPerSlot &&
+                    MaxTogether % Format::TrianglesPerSlot == 0,
+                "a part that is not the last one is full");
 
   /// Slots for so many triangles of a leaf.
   static constexpr uint32_t partCount(uint32_t Triangles) {
@@ -180,11 +181,32 @@ private:
         leafCount(Leaf) < MaxTogether ? leafCount(Leaf) : MaxTogether;
     if (!hasFreeSlots(partCount(Count)))
       return loadTriangles<Format::TrianglesPerSlot>(From, Word, Leaf);
-    if (Count == MaxTogether)
-      return loadTriangles<MaxTogether>(From, Word, Leaf);
-    if (Count == 3)
-      return loadTriangles<3>(From, Word, Leaf);
-    return loadTriangles<2>(From, Word, Leaf);
+    return loadUpTo<MaxTogether>(From, Word, Leaf, Count);
+  }
+
+  /// loadTriangles() of \p Count, at most \p Most, which fit into a slot.
+  template <uint32_t Most>
+  TP_KERNEL_INLINE CacheLink loadPart(const BvhMemory &From, uint32_t Word,
+                                      BvhReference Leaf, uint32_t Count) {
+    if constexpr (Most == 0) {
+      const CacheLink Link = hang(Word, Leaf, kLeafTag);
+      setWord(linkedSlot(Link) + Format::RestOffset, kNoRest);
+      return Link;
+    } else {
+      if (Count != Most)
+        return loadPart<Most - 1>(From, Word, Leaf, Count);
+      return loadTriangles<Most>(From, Word, Leaf);
+    }
+  }
+
+  /// The same of more than fit into a slot.
+  template <uint32_t Most>
+  TP_KERNEL_INLINE CacheLink loadUpTo(const BvhMemory &From, uint32_t Word,
+                                      BvhReference Leaf, uint32_t Count) {
+    if constexpr (Most > Format::TrianglesPerSlot + 1)
+      if (Count != Most)
+        return loadUpTo<Most - 1>(From, Word, Leaf, Count);
+    return loadTriangles<Most>(From, Word, Leaf);
   }
 
   /// Loads the first \p Triangles of \p Leaf.

@@ -53,7 +53,7 @@ public:
 private:
   using FloatWord [[gnu::may_alias]] = float;
   using Indices = std::make_integer_sequence<uint32_t, Count>;
-  static constexpr uint32_t FloatCount = Count * 5 / 8;
+  static constexpr uint32_t FloatCount = Count * 9 / 16;
 
   /// Unrolled from the start, so that no array of words comes up in memory.
   template <uint32_t... Index, class Action>
