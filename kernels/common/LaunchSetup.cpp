@@ -7,7 +7,7 @@
 #include "kernels/common/LaunchSetup.h"
 
 #include "kernels/common/SceneLayout.h"
-#include "kernels/common/WorkShares.h"
+#include "kernels/common/WorkSchedule.h"
 
 #include <algorithm>
 #include <charconv>
@@ -76,10 +76,9 @@ ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,
   Launch.Framebuffer = Memory.allocate(PixelBytes, sizeof(uint32_t));
   Launch.RayCounts =
       Memory.allocate(ThreadCount * sizeof(uint32_t), sizeof(uint32_t));
-  Launch.WorkCounters =
-      Memory.allocate(ThreadCount * sizeof(uint32_t), sizeof(uint32_t));
+  Launch.WorkCounter = Memory.allocate(sizeof(uint32_t), sizeof(uint32_t));
   if (!Launch.Scene || !Launch.Framebuffer || !Launch.RayCounts ||
-      !Launch.WorkCounters)
+      !Launch.WorkCounter)
     return Error{"the scene (" + std::to_string(Block.size()) +
                  " bytes) and the picture (" + std::to_string(PixelBytes) +
                  " bytes) do not fit in the chip's memory"};
@@ -117,14 +116,11 @@ std::vector<uint32_t> readRayCounts(const LaunchBlock &Launch,
 
 uint32_t readPixelsTaken(const LaunchBlock &Launch, uint32_t ThreadCount,
                          const LaunchMemory &Memory) {
-  const WorkShares Shares(Launch.Width * Launch.Height, ThreadCount);
-  const std::vector<uint32_t> Counters =
-      readWords(Launch.WorkCounters, ThreadCount, Memory);
-  uint32_t Taken = 0;
-  for (uint32_t Thread = 0; Thread != ThreadCount; ++Thread)
-    // Counters run on when a range is exhausted.
-    Taken += std::min(Counters[Thread], Shares.size(Thread));
-  return Taken;
+  uint32_t PiecesTaken = 0;
+  Memory.read(Launch.WorkCounter, &PiecesTaken, sizeof(PiecesTaken));
+  return WorkSchedule(Launch.Width * Launch.Height, ThreadCount)
+      .piece(ThreadCount + PiecesTaken)
+      .Begin;
 }
 
 } // namespace tp

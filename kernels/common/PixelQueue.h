@@ -4,21 +4,18 @@
 //
 //===----------------------------------------------------------------------===//
 //
-// Each thread owns one contiguous range of the picture's PixelOrder, so that
-// its rays are coherent, and takes its pixels one by one from a counter of its
-// own. A thread whose range is exhausted takes single pixels from those of
-// others, chosen at random, until it finds none several times in a row. Every
-// range is finished at least by its owner.
+// All threads take pieces of the picture's PixelOrder from one counter. Early
+// pieces are large, so that a thread's rays are coherent and it seldom waits
+// for the counter; the last ones are single pixels, so that all threads end at
+// about the same time.
 //
 //===----------------------------------------------------------------------===//
 
 #ifndef TP_KERNELS_COMMON_PIXELQUEUE_H
 #define TP_KERNELS_COMMON_PIXELQUEUE_H
 
-#include "kernels/common/EarlyLoad.h"
 #include "kernels/common/PixelOrder.h"
-#include "kernels/common/Random.h"
-#include "kernels/common/WorkShares.h"
+#include "kernels/common/WorkSchedule.h"
 #include "tp/atomic.h"
 #include "tp/launch.h"
 #include "tp/memory.h"
@@ -30,57 +27,28 @@ namespace tp {
 class PixelQueue {
 public:
   explicit PixelQueue(const LaunchBlock &Launch)
-      : Order(Launch.Width, Launch.Height), Threads(threadCount()),
-        Shares(Launch.Width * Launch.Height, Threads),
-        Counters(devicePointer<uint32_t>(Launch.WorkCounters)),
-        Range(threadId()) {}
+      : Order(Launch.Width, Launch.Height),
+        Schedule(Launch.Width * Launch.Height, threadCount()),
+        Counter(devicePointer<uint32_t>(Launch.WorkCounter)),
+        // The first piece of each thread needs no counter.
+        Piece(Schedule.piece(threadId())) {}
 
   /// The next pixel of this thread; false if there is none left.
   bool take(PixelPlace &Pixel) {
-    do {
-      const uint32_t Item = atomicAdd(Counters + Range, 1);
-      if (Item < Shares.size(Range)) {
-        Pixel = Order.at(Shares.begin(Range) + Item);
-        return true;
-      }
-    } while (findRange());
-    return false;
+    if (Piece.Begin == Piece.End)
+      Piece = Schedule.piece(threadCount() + atomicAdd(Counter, 1));
+    if (Piece.Begin == Piece.End)
+      return false;
+    Pixel = Order.at(Piece.Begin++);
+    return true;
   }
 
 private:
-  /// Counters that are looked at in one wait for memory, and how often that may
-  /// fail.
-  static constexpr uint32_t Looks = 8;
-  static constexpr uint32_t MaxFailures = 4;
-
-  /// Goes to a range that had pixels left; false if it finds none.
-  bool findRange() {
-    for (uint32_t Failures = 0; Failures != MaxFailures; ++Failures) {
-      uint32_t Ranges[Looks];
-      uint32_t Taken[Looks];
-      for (uint32_t Look = 0; Look != Looks; ++Look) {
-        const RandomWords Random = randomWords(threadId(), Attempts++, 0, 0);
-        Ranges[Look] = chooseIndex(Random.X, Threads).Index;
-        Taken[Look] = atomicLoad(Counters + Ranges[Look]);
-      }
-      for (uint32_t &Items : Taken)
-        loadHere(Items);
-      for (uint32_t Look = 0; Look != Looks; ++Look) {
-        Range = Ranges[Look];
-        if (Taken[Look] < Shares.size(Range))
-          return true;
-      }
-    }
-    return false;
-  }
-
   const PixelOrder Order;
-  const uint32_t Threads;
-  const WorkShares Shares;
-  uint32_t *const Counters;
-  /// The range that pixels are taken from.
-  uint32_t Range;
-  uint32_t Attempts = 0;
+  WorkSchedule Schedule;
+  uint32_t *const Counter;
+  /// What is left of the piece that has been taken last.
+  WorkSchedule::Piece Piece;
 };
 
 } // namespace tp

@@ -46,12 +46,12 @@ struct LaunchBlock {
   uint32_t Seed;
   /// Array of one uint32_t per thread: rays that the thread has traced.
   DeviceAddress RayCounts;
-  /// Array of one uint32_t per thread, zero at the start: how much of the
-  /// thread's share of the work has been taken, by atomic increment.
-  DeviceAddress WorkCounters;
+  /// One uint32_t, zero at the start: how many pieces of the work have been
+  /// taken, by atomic increment.
+  DeviceAddress WorkCounter;
 };
 
-inline constexpr uint32_t kLaunchBlockVersion = 2;
+inline constexpr uint32_t kLaunchBlockVersion = 3;
 
 static_assert(sizeof(LaunchBlock) == 14 * sizeof(uint32_t),
               "the launch block has one layout on every side");

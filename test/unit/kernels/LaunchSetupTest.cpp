@@ -77,12 +77,13 @@ TEST(LaunchSetup, FillsTheLaunchBlock) {
   EXPECT_EQ(Header.LightCount, 2u);
 
   const uint32_t Pixel = 0x12345678;
-  const uint32_t Taken[5] = {0, 2, 6, 1000, 7};
+  const uint32_t PiecesTaken = 10;
   Memory.write(Launch->Framebuffer + 4 * 9, &Pixel, sizeof(Pixel));
-  Memory.write(Launch->WorkCounters, &Taken, sizeof(Taken));
+  Memory.write(Launch->WorkCounter, &PiecesTaken, sizeof(PiecesTaken));
   EXPECT_EQ(readFramebuffer(*Launch, Memory).Pixels.at(9), Pixel);
-  // Five shares of 7, 7, 6, 6, 6 pixels.
-  EXPECT_EQ(readPixelsTaken(*Launch, 5, Memory), 0u + 2 + 6 + 6 + 6);
+  // Of 32 pixels for five threads pieces have one pixel each; each thread has
+  // its first one from the start.
+  EXPECT_EQ(readPixelsTaken(*Launch, 5, Memory), 5u + 10);
   EXPECT_EQ(readRayCounts(*Launch, 5, Memory), std::vector<uint32_t>(5, 0));
 }
 

@@ -52,16 +52,33 @@ TEST(PixelOrder, SixteenPositionsAreASquare) {
   }
 }
 
-TEST(WorkShares, DivideAllItems) {
-  for (uint32_t Items : {0u, 1u, 7u, 4096u, 65536u, 268435455u}) {
-    const WorkShares Shares(Items, 4096);
-    uint32_t Next = 0;
-    for (uint32_t Thread = 0; Thread != 4096; ++Thread) {
-      ASSERT_EQ(Shares.begin(Thread), Next);
-      ASSERT_LE(Shares.size(Thread) - Items / 4096, 1u);
-      Next += Shares.size(Thread);
+TEST(WorkSchedule, DividesAllItemsIntoSmallerAndSmallerPieces) {
+  for (uint32_t Items : {0u, 1u, 7u, 4096u, 65536u, 1000003u})
+    for (uint32_t Threads : {1u, 3u, 4096u}) {
+      WorkSchedule Schedule(Items, Threads);
+      uint32_t Next = 0, Size = Items, Number = 0;
+      for (; Next != Items; ++Number) {
+        const WorkSchedule::Piece Piece = Schedule.piece(Number);
+        ASSERT_EQ(Piece.Begin, Next);
+        ASSERT_GT(Piece.End, Piece.Begin);
+        ASSERT_LE(Piece.End - Piece.Begin, Size);
+        Next = Piece.End;
+        Size = Piece.End - Piece.Begin;
+      }
+      EXPECT_LE(Size, 1u);
+      const WorkSchedule::Piece Empty = Schedule.piece(Number + 2 * Threads);
+      EXPECT_EQ(Empty.Begin, Items);
+      EXPECT_EQ(Empty.End, Items);
     }
-    EXPECT_EQ(Next, Items);
+}
+
+TEST(WorkSchedule, PiecesMayBeSkipped) {
+  WorkSchedule Every(65536, 100), Some(65536, 100);
+  for (uint32_t Number = 0; Number != 5000; ++Number) {
+    const WorkSchedule::Piece Piece = Every.piece(Number);
+    if (Number % 137 == 0) {
+      EXPECT_EQ(Some.piece(Number).Begin, Piece.Begin);
+    }
   }
 }
 
@@ -105,7 +122,7 @@ static uint32_t runQueue(int (*Kernel)(), uint32_t Threads) {
   Launch.Width = 40;
   Launch.Height = 30;
   Launch.Framebuffer = host::allocate(sizeof(Visits));
-  Launch.WorkCounters = host::allocate(Threads * sizeof(uint32_t));
+  Launch.WorkCounter = host::allocate(sizeof(uint32_t));
   EXPECT_EQ(runOnHost(Kernel, Threads, Launch), 0);
   const auto *Seen = devicePointer<Visits>(Launch.Framebuffer);
   for (uint32_t Count : Seen->OfPixel)

@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t NumThreads = 8;
 
-/// Shared by the kernels below through LaunchBlock::WorkCounters.
+/// Shared by the kernels below through LaunchBlock::WorkCounter.
 struct Shared {
   uint32_t Sum;
   int32_t Least;
@@ -25,7 +25,7 @@ struct Shared {
 };
 
 int countingKernel() {
-  auto *S = tp::devicePointer<Shared>(tp::launchBlock().WorkCounters);
+  auto *S = tp::devicePointer<Shared>(tp::launchBlock().WorkCounter);
   tp::atomicAdd(&S->Sum, tp::threadId() + 1);
   tp::atomicMin(&S->Least, -static_cast<int32_t>(tp::threadId()));
   tp::atomicMax(&S->Greatest, tp::threadId());
@@ -37,9 +37,9 @@ int countingKernel() {
 TEST(HostRuntime, ThreadsMeetAtBarriersAndReturnTheFirstStatus) {
   tp::host::resetMemory();
   tp::LaunchBlock Launch = {};
-  Launch.WorkCounters = tp::host::allocate(sizeof(Shared));
+  Launch.WorkCounter = tp::host::allocate(sizeof(Shared));
   EXPECT_EQ(tp::runOnHost(countingKernel, NumThreads, Launch), 5);
-  auto *S = tp::devicePointer<Shared>(Launch.WorkCounters);
+  auto *S = tp::devicePointer<Shared>(Launch.WorkCounter);
   EXPECT_EQ(S->Sum, 36u);
   EXPECT_EQ(S->Least, -7);
   EXPECT_EQ(S->Greatest, 7u);
