@@ -5,10 +5,10 @@ from .errors import BenchError
 from .table import in_units
 
 # M. Okabe and K. Ito's colours, which the colour-blind can tell apart.
-KERNEL_COLORS = ["#E69F00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9",
-                 "#D55E00", "#999999"]
-SCENE_STYLES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"),
-                ("#CC79A7", "D"), ("#56B4E9", "v"), ("#000000", "o")]
+BASELINE_COLOR = "#E69F00"
+CACHED_COLOR = "#0072B2"
+LINE_STYLES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"),
+               ("#CC79A7", "D"), ("#56B4E9", "v"), ("#000000", "o")]
 CYCLE_STYLES = {
     "issued": ("#009E73", ["issued"]),
     "memory": ("#D55E00", ["memory"]),
@@ -17,11 +17,12 @@ CYCLE_STYLES = {
     "barrier": ("#F0E442", ["barrier"]),
     "other": ("#999999", ["branch", "sync", "sleep", "finished"]),
 }
-HIT_COLOR = "#0072B2"
-LOAD_COLOR = "#E69F00"
 GREY = "#555555"
 # Room for the names of the scenes, beside the panels.
 LEGEND_INCHES = 1.75
+# Of the bars of one scene, in distances between scenes.
+BAR_PITCH = 0.4
+BAR_WIDTH = 0.34
 
 
 def load_pyplot():
@@ -56,49 +57,45 @@ def draw_all(results, folder):
     """Every chart; {path of the SVG: what it shows}."""
     pyplot = load_pyplot()
     charts = {}
-    for name, draw, title in (
-            ("speed", draw_speed, "Rays per second of the slowest and the "
-                                  "fastest thread and of the chip"),
-            ("speed-up", draw_speed_up, "Speed-up over local store"),
-            ("cycles", draw_cycles, "Where the thread-cycles go"),
-            ("depth", draw_depths, "Hits and loads by depth in the tree")):
+    drawn = [("speed", draw_speed, "Rays per second of the slowest and the "
+                                   "fastest thread and of the chip"),
+             ("speed-up", draw_speed_up, "Speed-up over local store"),
+             ("cycles", draw_cycles, "Where the thread-cycles go"),
+             ("depth", draw_depths, "Hits and loads by depth in the tree")]
+    if len(results.kernels) > 1:
+        drawn.append(("kernels", draw_kernels, "Policies and formats"))
+    for name, draw, title in drawn:
         figure = draw(pyplot, results)
         charts[save(figure, folder, name)] = title
         pyplot.close(figure)
     return charts
 
 
-def compared(results, scene, latency):
-    """The baseline, and with the largest local store each cached kernel."""
-    return [results.baseline(scene, latency),
-            *(results.find(scene, kernel, max(results.local_stores), latency)
-              for kernel in results.kernels)]
-
-
-def compared_names(results):
-    return ["baseline",
-            *(f"{kernel}, {max(results.local_stores)} KiB"
-              for kernel in results.kernels)]
+def cached_name(results):
+    """Of the kernel that the charts show: the first cached one, with the
+    largest local store."""
+    return f"{results.kernels[0]}, {max(results.local_stores)} KiB"
 
 
 def bars(results, latency):
-    """[(position, width, number of the kernel, run)]: a scene's bars share a
-    width of 0.8 around the scene's number."""
-    pitch = 0.8 / (1 + len(results.kernels))
+    """[(position, color, run)]: for each scene the baseline, and right of it
+    the cached kernel."""
     found = []
     for index, scene in enumerate(results.scenes):
-        for kernel, run in enumerate(compared(results, scene, latency)):
-            position = index - 0.4 + (kernel + 0.5) * pitch
-            found.append((position, 0.85 * pitch, kernel, run))
+        cached = results.find(scene, results.kernels[0],
+                              max(results.local_stores), latency)
+        found.append((index - BAR_PITCH / 2, BASELINE_COLOR,
+                      results.baseline(scene, latency)))
+        found.append((index + BAR_PITCH / 2, CACHED_COLOR, cached))
     return found
 
 
 def panels(pyplot, results, width, height, **options):
     """One panel for each latency, side by side."""
     count = len(results.latencies)
-    figure, grid = pyplot.subplots(1, count, figsize=(width * count, height),
-                                   squeeze=False, layout="constrained",
-                                   **options)
+    figure, grid = pyplot.subplots(
+        1, count, figsize=(max(1.5, count) * width, height), squeeze=False,
+        layout="constrained", **options)
     for axes, latency in zip(grid[0], results.latencies):
         axes.set_title(f"memory latency {latency} cycles")
     return figure, grid[0]
@@ -115,8 +112,8 @@ def draw_speed(pyplot, results):
     though all threads were like that one, on a logarithmic axis."""
     figure, grid = panels(pyplot, results, 6.2, 4.6, sharey=True)
     for axes, latency in zip(grid, results.latencies):
-        for position, width, kernel, run in bars(results, latency):
-            draw_range(axes, position, width, run, KERNEL_COLORS[kernel])
+        for position, color, run in bars(results, latency):
+            draw_range(axes, position, run, color)
         label_rates(pyplot, axes)
         label_scenes(axes, results)
         axes.grid(axis="y", which="major", color="#cccccc")
@@ -146,31 +143,30 @@ def chip_speed(run, thread):
 
 def speed_limits(results):
     """Of all bars."""
-    runs = [run for latency in results.latencies for scene in results.scenes
-            for run in compared(results, scene, latency)]
+    runs = [run for latency in results.latencies
+            for _, _, run in bars(results, latency)]
     return (min(chip_speed(run, "minimum") for run in runs),
             max(chip_speed(run, "maximum") for run in runs))
 
 
-def draw_range(axes, position, width, run, color):
-    """The number above the bar is upright where bars are narrow."""
+def draw_range(axes, position, run, color):
     slowest, fastest = chip_speed(run, "minimum"), chip_speed(run, "maximum")
-    axes.bar(position, fastest - slowest, bottom=slowest, width=width,
+    axes.bar(position, fastest - slowest, bottom=slowest, width=BAR_WIDTH,
              color=color)
     mean = run["figures"]["rays_per_second"]
-    half = 0.55 * width
+    half = 0.55 * BAR_WIDTH
     axes.plot([position - half, position + half], [mean, mean], color="black",
               linewidth=2, solid_capstyle="butt")
     axes.annotate(in_units(mean).replace(" ", ""), (position, fastest),
                   xytext=(0, 3), textcoords="offset points", ha="center",
-                  fontsize=8, color="black", rotation=0 if width > 0.3 else 90)
+                  fontsize=8, color="black")
 
 
 def speed_legend(pyplot, figure, results):
     """Above the panels."""
-    names = compared_names(results)
     handles = [pyplot.Rectangle((0, 0), 1, 1, color=color)
-               for color in KERNEL_COLORS[:len(names)]]
+               for color in (BASELINE_COLOR, CACHED_COLOR)]
+    names = ["baseline", cached_name(results)]
     legend_above(figure, handles, names)
     figure.supxlabel("bar: from the slowest to the fastest thread, its rate x "
                      "number of threads; line and number: the whole chip",
@@ -179,7 +175,8 @@ def speed_legend(pyplot, figure, results):
 
 def legend_above(figure, handles, labels):
     """Over the panels, which leave it room."""
-    columns = 3 if len(handles) < 6 else 6
+    inches = 0.75 + 0.08 * max(map(len, labels))
+    columns = min(len(handles), int(figure.get_figwidth() / inches))
     lines = -(-len(handles) // columns)
     room = (0.15 + 0.25 * lines) / figure.get_figheight()
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - room))
@@ -187,36 +184,55 @@ def legend_above(figure, handles, labels):
 
 
 def draw_speed_up(pyplot, results):
-    """Over the size of the local store, a line for each scene; a row of panels
-    for each cached kernel."""
-    kernels, latencies = results.kernels, results.latencies
-    figure, grid = pyplot.subplots(
-        len(kernels), len(latencies), squeeze=False, sharex=True, sharey=True,
-        figsize=(5.6 * len(latencies), 0.6 + 3.6 * len(kernels)),
-        layout="constrained")
-    for line, kernel in zip(grid, kernels):
-        for axes, latency in zip(line, latencies):
-            axes.set_title(f"{kernel}, latency {latency}")
-            draw_lines(axes, results, kernel, latency)
-        line[0].set_ylabel("speed-up over the baseline")
-    grid[0][0].set_ylim(0, 1.08 * max(run["speed_up"] for run in results.runs))
-    for axes in grid[-1]:
-        axes.set_xlabel("local store of each thread, KiB")
-    handles, labels = grid[0][0].get_legend_handles_labels()
+    """Over the size of the local store, a line for each scene."""
+    figure, grid = panels(pyplot, results, 5.6, 4.2, sharey=True)
+    for axes, latency in zip(grid, results.latencies):
+        for index, scene in enumerate(results.scenes):
+            draw_line(axes, results, scene, results.kernels[0], latency,
+                      index, scene.replace("_", " "))
+        label_sizes(axes, results)
+    grid[0].set_ylabel("speed-up over the baseline")
+    grid[0].set_ylim(0, 1.08 * max(run["speed_up"] for run in results.runs))
     width = figure.get_figwidth()
     figure.get_layout_engine().set(rect=(0, 0, 1 - LEGEND_INCHES / width, 1))
+    handles, labels = grid[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="center right")
+    figure.supxlabel(f"local store of each thread, KiB ({results.kernels[0]})",
+                     fontsize=10)
     return figure
 
 
-def draw_lines(axes, results, kernel, latency):
+def draw_kernels(pyplot, results):
+    """The policies and formats: a panel for each scene, a line for each."""
+    latency = max(results.latencies)
+    figure, grid = scene_panels(pyplot, results, 2.6)
+    for axes, scene in zip(grid.flat, results.scenes):
+        for index, kernel in enumerate(results.kernels):
+            draw_line(axes, results, scene, kernel, latency, index, kernel)
+        label_sizes(axes, results)
+        axes.set_ylim(0, 1.08 * axes.get_ylim()[1])
+    for axes in grid[:, 0]:
+        axes.set_ylabel("speed-up")
+    legend_above(figure, *grid[0][0].get_legend_handles_labels())
+    figure.supxlabel("local store of each thread, KiB (memory latency "
+                     f"{latency} cycles)", fontsize=10)
+    return figure
+
+
+def draw_line(axes, results, scene, kernel, latency, style, label):
+    """Speed-ups over the sizes of the local store."""
+    color, marker = LINE_STYLES[style % len(LINE_STYLES)]
+    runs = [results.find(scene, kernel, size, latency)
+            for size in results.local_stores]
+    axes.plot(results.local_stores, [run["speed_up"] for run in runs],
+              color=color, marker=marker, markersize=6, linewidth=1.8,
+              markeredgecolor="white", label=label)
+
+
+def label_sizes(axes, results):
+    """Of the local store, each twice the one before; and where the baseline
+    is."""
     sizes = results.local_stores
-    for index, scene in enumerate(results.scenes):
-        color, marker = SCENE_STYLES[index % len(SCENE_STYLES)]
-        runs = [results.find(scene, kernel, size, latency) for size in sizes]
-        axes.plot(sizes, [run["speed_up"] for run in runs], color=color,
-                  marker=marker, markersize=6, linewidth=1.8,
-                  markeredgecolor="white", label=scene.replace("_", " "))
     axes.axhline(1, color="black", linewidth=1, linestyle=(0, (4, 3)))
     axes.set_xscale("log", base=2)
     axes.set_xticks(sizes, [str(size) for size in sizes])
@@ -228,8 +244,8 @@ def draw_cycles(pyplot, results):
     """Where the time of the frame goes, beside the baseline's."""
     figure, grid = panels(pyplot, results, 6.2, 4.6, sharey=True)
     for axes, latency in zip(grid, results.latencies):
-        for position, width, _, run in bars(results, latency):
-            draw_stack(axes, position, width, run,
+        for position, _, run in bars(results, latency):
+            draw_stack(axes, position, run,
                        results.baseline(run["scene"], latency))
         label_scenes(axes, results)
         axes.yaxis.set_major_formatter(
@@ -239,43 +255,49 @@ def draw_cycles(pyplot, results):
     handles = [pyplot.Rectangle((0, 0), 1, 1, color=color)
                for color, _ in CYCLE_STYLES.values()]
     legend_above(figure, handles, list(CYCLE_STYLES))
-    figure.supxlabel("from left to right: " + ", ".join(compared_names(results)),
+    figure.supxlabel(f"left: baseline, right: {cached_name(results)}",
                      fontsize=10)
     return figure
 
 
-def draw_stack(axes, position, width, run, baseline):
+def draw_stack(axes, position, run, baseline):
     """A bar as high as the run is long, cut by the reasons' shares."""
     height = run["figures"]["cycles"] / baseline["figures"]["cycles"]
     bottom = 0
     for color, names in CYCLE_STYLES.values():
         part = height * sum(run["figures"]["shares"][name] for name in names)
-        axes.bar(position, part, bottom=bottom, width=width, color=color,
+        axes.bar(position, part, bottom=bottom, width=BAR_WIDTH, color=color,
                  edgecolor="white", linewidth=0.5)
         bottom += part
 
 
-def draw_depths(pyplot, results):
-    """For each scene, how deep in the tree rays find what they visit loaded:
-    the first cached kernel, with the largest local store, at the highest
-    latency."""
+def scene_panels(pyplot, results, height):
+    """A panel for each scene, three in a line."""
     columns = min(3, len(results.scenes))
     lines = -(-len(results.scenes) // columns)
     figure, grid = pyplot.subplots(
         lines, columns, squeeze=False, sharex=True, layout="constrained",
-        figsize=(4 * columns + 0.4, 2.3 * lines + 0.8))
+        figsize=(max(8, 4 * columns + 0.4), height * lines + 0.8))
     for axes in grid.flat[len(results.scenes):]:
         axes.set_visible(False)
     for axes, scene in zip(grid.flat, results.scenes):
         axes.set_title(scene.replace("_", " "))
+    return figure, grid
+
+
+def draw_depths(pyplot, results):
+    """For each scene, how deep in the tree rays find what they visit loaded, at
+    the highest latency."""
+    figure, grid = scene_panels(pyplot, results, 2.3)
+    for axes, scene in zip(grid.flat, results.scenes):
         draw_depth(axes, results.find(
             scene, results.kernels[0], max(results.local_stores),
             max(results.latencies)))
     for axes in grid[:, 0]:
         axes.set_ylabel("visits per ray")
     legend_above(figure, *grid[0][0].get_legend_handles_labels())
-    figure.supxlabel(f"depth in the tree, the root's is 0 ({results.kernels[0]}, "
-                     f"{max(results.local_stores)} KiB)", fontsize=10)
+    figure.supxlabel("depth in the tree, the root's is 0 "
+                     f"({cached_name(results)})", fontsize=10)
     return figure
 
 
@@ -287,8 +309,8 @@ def draw_depth(axes, run):
     depths = range(max(len(hits), len(loads)))
     hits += [0] * (len(depths) - len(hits))
     loads += [0] * (len(depths) - len(loads))
-    axes.bar(depths, hits, width=0.8, color=HIT_COLOR, label="found in a slot")
-    axes.bar(depths, loads, bottom=hits, width=0.8, color=LOAD_COLOR,
+    axes.bar(depths, hits, width=0.8, color=CACHED_COLOR, label="found in a slot")
+    axes.bar(depths, loads, bottom=hits, width=0.8, color=BASELINE_COLOR,
              label="loaded from memory")
     axes.grid(axis="y", color="#dddddd")
     axes.xaxis.get_major_locator().set_params(integer=True)
