@@ -13,6 +13,19 @@
 
 using namespace tp;
 
+/// The deepest chain of a graph whose calls lead to greater numbers, by trying
+/// all.
+static uint32_t
+deepest(const std::vector<uint32_t> &Frames,
+        const std::vector<std::vector<std::pair<int, bool>>> &Calls,
+        size_t From) {
+  uint32_t Most = Frames[From];
+  for (auto [Callee, IsTail] : Calls[From])
+    Most = std::max(Most, (IsTail ? 0 : Frames[From]) +
+                              deepest(Frames, Calls, size_t(Callee)));
+  return Most;
+}
+
 namespace {
 
 /// A call graph by names; the first function is the entry.
@@ -144,18 +157,6 @@ TEST(StackBound, EndsAtTheLargestLocalStore) {
   EXPECT_EQ(Bound.Bytes, std::nullopt);
   EXPECT_EQ(Bound.Reason, "  it may take 8589934560 bytes, more than the "
                           "largest local store has");
-}
-
-/// The deepest chain of a graph whose calls lead to greater numbers, by trying
-/// all.
-uint32_t deepest(const std::vector<uint32_t> &Frames,
-                 const std::vector<std::vector<std::pair<int, bool>>> &Calls,
-                 size_t From) {
-  uint32_t Most = Frames[From];
-  for (auto [Callee, IsTail] : Calls[From])
-    Most = std::max(Most, (IsTail ? 0 : Frames[From]) +
-                              deepest(Frames, Calls, size_t(Callee)));
-  return Most;
 }
 
 TEST(StackBound, AgreesWithAllPathsOfRandomGraphs) {

@@ -13,6 +13,30 @@
 
 #include <cstring>
 
+/// Each thread fills its own store, waits for the others and looks again.
+static int fillingKernel() {
+  tp::LocalStoreSpace Space = tp::freeLocalStore();
+  std::memset(Space.Begin, static_cast<int>(tp::threadId()), Space.Bytes);
+  tp::barrier();
+  tp::LocalStoreSpace Again = tp::freeLocalStore();
+  if (Again.Begin != Space.Begin || Again.Bytes != Space.Bytes)
+    return 1;
+  for (uint32_t I = 0; I != Space.Bytes; ++I)
+    if (Space.Begin[I] != static_cast<char>(tp::threadId()))
+      return 2;
+  return 0;
+}
+
+/// The threads' sum of the argument's letters and of argc.
+static int addingKernel(int ArgumentCount, char **Arguments) {
+  auto *Sum = tp::devicePointer<uint32_t>(tp::launchBlock().RayCounts);
+  if (Arguments[ArgumentCount])
+    return 1;
+  tp::atomicAdd(Sum, static_cast<uint32_t>(ArgumentCount) +
+                         static_cast<uint32_t>(std::strlen(Arguments[1])));
+  return 0;
+}
+
 namespace {
 
 constexpr uint32_t NumThreads = 4;
@@ -43,33 +67,9 @@ TEST(LocalStore, ChangesItsSizeBetweenRuns) {
   }
 }
 
-/// Each thread fills its own store, waits for the others and looks again.
-int fillingKernel() {
-  tp::LocalStoreSpace Space = tp::freeLocalStore();
-  std::memset(Space.Begin, static_cast<int>(tp::threadId()), Space.Bytes);
-  tp::barrier();
-  tp::LocalStoreSpace Again = tp::freeLocalStore();
-  if (Again.Begin != Space.Begin || Again.Bytes != Space.Bytes)
-    return 1;
-  for (uint32_t I = 0; I != Space.Bytes; ++I)
-    if (Space.Begin[I] != static_cast<char>(tp::threadId()))
-      return 2;
-  return 0;
-}
-
 TEST(LocalStore, IsOfItsThreadAlone) {
   LocalStoreBytes Setting(1024);
   EXPECT_EQ(tp::runOnHost(fillingKernel, NumThreads, {}), 0);
-}
-
-/// The threads' sum of the argument's letters and of argc.
-int addingKernel(int ArgumentCount, char **Arguments) {
-  auto *Sum = tp::devicePointer<uint32_t>(tp::launchBlock().RayCounts);
-  if (Arguments[ArgumentCount])
-    return 1;
-  tp::atomicAdd(Sum, static_cast<uint32_t>(ArgumentCount) +
-                         static_cast<uint32_t>(std::strlen(Arguments[1])));
-  return 0;
 }
 
 TEST(HostRuntime, KernelsGetTheLaunchBlocksArguments) {
