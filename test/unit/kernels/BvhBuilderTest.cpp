@@ -123,6 +123,47 @@ static void expectValidWhenWide(const Tree &T) {
   EXPECT_EQ(Found, std::vector<unsigned>(T.Boxes.size(), 1));
 }
 
+static float surface(const BvhNode &Node) {
+  BoundingBox Box = Node.Boxes[0];
+  Box.extend(Node.Boxes[1]);
+  return Box.halfArea();
+}
+
+/// The least sum of surfaces of the wide nodes for a subtree whose parent has
+/// \p Slots slots for it, by trying everything.
+static float leastSurface(const Tree &T, BvhReference Subtree, uint32_t Slots) {
+  if (isLeaf(Subtree))
+    return 0;
+  const BvhNode &Node = T.Nodes[Subtree];
+  auto SplitInto = [&](uint32_t Count) {
+    float Best = 3e38f;
+    for (uint32_t Left = 1; Left < Count; ++Left)
+      Best = std::min(Best, leastSurface(T, Node.Child[0], Left) +
+                                leastSurface(T, Node.Child[1], Count - Left));
+    return Best;
+  };
+  return std::min(surface(Node) + SplitInto(kWideBvhWidth), SplitInto(Slots));
+}
+
+/// The surfaces of the nodes of the wide tree.
+static float wideSurface(const Tree &T) {
+  std::vector<WideBvhNode> WideNodes(T.Nodes.size());
+  WideBvhStorage Storage{T.Nodes.data(), WideNodes.data(), 0};
+  widenBvh(Storage, T.Root);
+  WideNodes.resize(Storage.WideNodeCount);
+  float Sum = 0;
+  for (const WideBvhNode &Node : WideNodes) {
+    BoundingBox Box;
+    for (unsigned Slot = 0; Slot != kWideBvhWidth; ++Slot)
+      Box.extend(BoundingBox{{Node.Bounds[0][0][Slot], Node.Bounds[1][0][Slot],
+                              Node.Bounds[2][0][Slot]},
+                             {Node.Bounds[0][1][Slot], Node.Bounds[1][1][Slot],
+                              Node.Bounds[2][1][Slot]}});
+    Sum += Box.halfArea();
+  }
+  return Sum;
+}
+
 static void expectValid(const Tree &T) {
   uint32_t NextPrimitive = 0, VisitedNodes = 0;
   check(T, T.Root, 0, NextPrimitive, VisitedNodes);
@@ -280,4 +321,12 @@ TEST(BvhBuilder, HeuristicBeatsMedianSplits) {
   const double MedianCost =
       Median{Heuristic, {}, {}}.cost(0, uint32_t(Boxes.size()), Bounds);
   EXPECT_LT(expectedCost(Heuristic, Heuristic.Root, {}), MedianCost * 0.9);
+}
+
+TEST(WideBvh, HasTheLeastSurface) {
+  for (uint32_t Count : {5u, 9u, 14u, 24u}) {
+    const Tree T = build(randomBoxes(Count, 30));
+    const float Least = leastSurface(T, T.Root, 1);
+    EXPECT_NEAR(wideSurface(T), Least, Least * 1e-5f);
+  }
 }
