@@ -14,6 +14,7 @@
 
 #include "kernels/common/Inline.h"
 #include "kernels/treecache/CacheLink.h"
+#include "kernels/treecache/SlotMemory.h"
 
 namespace tp {
 
@@ -34,15 +35,17 @@ public:
   /// is none.
   template <class Cache>
   uint32_t chooseBranch(const Cache &Slots, uint32_t Word) {
+    const SlotMemory Words = Slots.memory();
     uint32_t Highest = kNoWord;
     for (uint32_t OnPath = Word; OnPath != kRootWord;) {
       const uint32_t Slot = Slots.slotOfWord(OnPath);
-      const uint32_t SlotWord = Slots.parent(Slot);
-      const CacheLink Link = Slots.word(SlotWord);
+      const uint32_t SlotWord =
+          Words.word(Slot + Cache::SlotFormat::ParentOffset);
+      const CacheLink Link = Words.word(SlotWord);
       const uint32_t First = Slots.firstChildWord(Link);
       for (uint32_t Child = 0; Child != Slots.childCount(Link); ++Child) {
         const uint32_t Candidate = First + Child * 4;
-        if (Candidate != OnPath && isLoaded(Slots.word(Candidate)))
+        if (Candidate != OnPath && isLoaded(Words.word(Candidate)))
           Highest = Candidate;
       }
       OnPath = SlotWord;

@@ -253,8 +253,9 @@ TP_KERNEL_INLINE CacheLink TreeCache<Format, PolicyBytes>::loadTriangles(
 template <class Format, uint32_t PolicyBytes>
 uint32_t TreeCache<Format, PolicyBytes>::unloadBranch(uint32_t Word) {
   rayEvent(RayEvent::DeletionBegin, Word);
-  const CacheLink Top = word(Word);
-  setWord(Word, source(linkedSlot(Top)));
+  const SlotMemory Words = Memory;
+  const CacheLink Top = Words.word(Word);
+  Words.setWord(Word, Words.word(linkedSlot(Top) + Format::SourceOffset));
   // The branch in breadth-first order, a queue through Parent, which nobody
   // reads of a slot in it: the queue, once complete, becomes the free list's
   // start. Queued words are links, as childCount() needs them.
@@ -263,21 +264,21 @@ uint32_t TreeCache<Format, PolicyBytes>::unloadBranch(uint32_t Word) {
   for (CacheLink Link = Top;;) {
     const uint32_t Child = firstChildWord(Link);
     for (uint32_t Index = 0; Index != childCount(Link); ++Index) {
-      const CacheLink ChildLink = word(Child + Index * 4);
+      const CacheLink ChildLink = Words.word(Child + Index * 4);
       if (!isLoaded(ChildLink))
         continue;
-      setWord(linkedSlot(Last) + Format::ParentOffset, ChildLink);
+      Words.setWord(linkedSlot(Last) + Format::ParentOffset, ChildLink);
       Last = ChildLink;
     }
     ++Count;
     const uint32_t Slot = linkedSlot(Link);
     rayEvent(RayEvent::SlotFreed, Slot);
     if (Link == Last) {
-      setWord(Slot + Format::ParentOffset, Free);
+      Words.setWord(Slot + Format::ParentOffset, Free);
       break;
     }
-    Link = parent(Slot);
-    setWord(Slot + Format::ParentOffset, linkedSlot(Link));
+    Link = Words.word(Slot + Format::ParentOffset);
+    Words.setWord(Slot + Format::ParentOffset, linkedSlot(Link));
   }
   Free = linkedSlot(Top);
   rayEvent(RayEvent::DeletionEnd, Count);
