@@ -7,7 +7,9 @@
 // All threads take pieces of the picture's PixelOrder from one counter. Early
 // pieces are large, so that a thread's rays are coherent and it seldom waits
 // for the counter; the last ones are single pixels, so that all threads end at
-// about the same time.
+// about the same time. The curve is taken from its end, at the picture's bottom,
+// because the longest rays must not come last: what is up is more often sky or
+// ceiling.
 //
 //===----------------------------------------------------------------------===//
 
@@ -28,7 +30,8 @@ class PixelQueue {
 public:
   explicit PixelQueue(const LaunchBlock &Launch)
       : Order(Launch.Width, Launch.Height),
-        Schedule(Launch.Width * Launch.Height, threadCount()),
+        LastPosition(Launch.Width * Launch.Height - 1),
+        Schedule(LastPosition + 1, threadCount()),
         Counter(devicePointer<uint32_t>(Launch.WorkCounter)),
         // The first piece of each thread needs no counter.
         Piece(Schedule.piece(threadId())) {}
@@ -39,12 +42,14 @@ public:
       Piece = Schedule.piece(threadCount() + atomicAdd(Counter, 1));
     if (Piece.Begin == Piece.End)
       return false;
-    Pixel = Order.at(Piece.Begin++);
+    Pixel = Order.at(LastPosition - Piece.Begin++);
     return true;
   }
 
 private:
   const PixelOrder Order;
+  /// Item 0 of the schedule.
+  const uint32_t LastPosition;
   WorkSchedule Schedule;
   uint32_t *const Counter;
   /// What is left of the piece that has been taken last.
