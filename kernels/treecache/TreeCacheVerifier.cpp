@@ -12,16 +12,16 @@
 
 namespace tp {
 
-namespace {
+static constexpr uint32_t WordBytes = sizeof(uint32_t);
 
-constexpr uint32_t WordBytes = sizeof(uint32_t);
-
-uint32_t wordAt(const char *Memory, uint32_t Offset) {
+static uint32_t wordAt(const char *Memory, uint32_t Offset) {
   uint32_t Word;
   __builtin_memcpy(&Word, __builtin_assume_aligned(Memory + Offset, 4),
                    sizeof(Word));
   return Word;
 }
+
+namespace {
 
 /// A depth-first walk over the slots that climbs back along the Parent words,
 /// each of which is verified on the way down.
@@ -260,8 +260,10 @@ bool Walk::verifyPath(const TreeCachePath &Path) {
     Marked.insert(Slot);
     Word = parentOf(Slot);
   }
+  const uint32_t *Next = Path.Pending;
   for (uint32_t Entry = 0; Entry != Path.PendingCount; ++Entry) {
-    const uint32_t Word = Path.Pending[Entry * Path.PendingStride];
+    const uint32_t Word = *Next;
+    Next += Path.PendingStride;
     if (Word == kRootWord)
       continue;
     if (!isReachedChildWord(Word))
