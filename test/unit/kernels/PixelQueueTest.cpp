@@ -86,6 +86,9 @@ TEST(WorkSchedule, PiecesMayBeSkipped) {
 struct Visits {
   uint32_t OfPixel[40 * 30];
   uint32_t ByFirstThread;
+  /// The rows of the first thread's first and last pixel.
+  uint32_t FirstRow;
+  uint32_t LastRow;
 };
 
 /// Takes all pixels; thread 0, if asked to, only after all others are done.
@@ -97,8 +100,11 @@ static void takePixels(bool FirstWaits) {
   PixelQueue Queue(Launch);
   for (PixelPlace Place; Queue.take(Place);) {
     atomicAdd(&Seen->OfPixel[Place.Y * Launch.Width + Place.X], 1);
-    if (threadId() == 0)
-      ++Seen->ByFirstThread;
+    if (threadId() == 0) {
+      if (Seen->ByFirstThread++ == 0)
+        Seen->FirstRow = Place.Y;
+      Seen->LastRow = Place.Y;
+    }
   }
   if (FirstWaits && threadId() != 0)
     barrier();
@@ -113,9 +119,8 @@ static int takeWithoutTheFirst() {
   return 0;
 }
 
-/// Runs \p Kernel, which must take every pixel once; how many of them its first
-/// thread took.
-static uint32_t runQueue(int (*Kernel)(), uint32_t Threads) {
+/// Runs \p Kernel, which must take every pixel once.
+static Visits runQueue(int (*Kernel)(), uint32_t Threads) {
   host::resetMemory();
   LaunchBlock Launch{};
   Launch.Version = kLaunchBlockVersion;
@@ -127,7 +132,7 @@ static uint32_t runQueue(int (*Kernel)(), uint32_t Threads) {
   const auto *Seen = devicePointer<Visits>(Launch.Framebuffer);
   for (uint32_t Count : Seen->OfPixel)
     EXPECT_EQ(Count, 1u);
-  return Seen->ByFirstThread;
+  return *Seen;
 }
 
 TEST(PixelQueue, ThreadsTakeEveryPixelOnce) {
@@ -136,5 +141,11 @@ TEST(PixelQueue, ThreadsTakeEveryPixelOnce) {
 }
 
 TEST(PixelQueue, ThreadsTakeFromOneThatIsLate) {
-  EXPECT_LT(runQueue(takeWithoutTheFirst, 4), 40u * 30 / 4);
+  EXPECT_LT(runQueue(takeWithoutTheFirst, 4).ByFirstThread, 40u * 30 / 4);
+}
+
+TEST(PixelQueue, PicturesAreTakenFromTheBottomUp) {
+  const Visits Seen = runQueue(takeTogether, 1);
+  EXPECT_EQ(Seen.FirstRow, 29u);
+  EXPECT_EQ(Seen.LastRow, 0u);
 }
