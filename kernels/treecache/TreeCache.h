@@ -17,7 +17,7 @@
 #include "kernels/treecache/CacheLink.h"
 #include "kernels/treecache/SlotFormat.h"
 #include "kernels/treecache/SlotMemory.h"
-#include "kernels/treecache/WordCopy.h"
+#include "kernels/treecache/WordsInFlight.h"
 
 #include <stdint.h>
 

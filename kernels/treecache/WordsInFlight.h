@@ -1,4 +1,4 @@
-//===- WordCopy.h - Copies that wait for memory once ------------*- C++ -*-===//
+//===- WordsInFlight.h - Copies that wait for memory once -------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -9,12 +9,11 @@
 //
 //===----------------------------------------------------------------------===//
 
-#ifndef TP_KERNELS_TREECACHE_WORDCOPY_H
-#define TP_KERNELS_TREECACHE_WORDCOPY_H
+#ifndef TP_KERNELS_TREECACHE_WORDSINFLIGHT_H
+#define TP_KERNELS_TREECACHE_WORDSINFLIGHT_H
 
 #include "kernels/common/EarlyLoad.h"
 #include "kernels/common/Inline.h"
-#include "kernels/treecache/SlotFormat.h"
 #include "kernels/treecache/SlotMemory.h"
 
 #include <stdint.h>
@@ -76,4 +75,4 @@ private:
 
 } // namespace tp
 
-#endif // TP_KERNELS_TREECACHE_WORDCOPY_H
+#endif // TP_KERNELS_TREECACHE_WORDSINFLIGHT_H
