@@ -12,7 +12,7 @@ namespace tp {
 
 namespace {
 
-/// The children of one wide node while it is made, from left to right.
+/// The children of one wide node while it is made.
 struct Family {
   BoundingBox Boxes[kWideBvhWidth];
   BvhReference References[kWideBvhWidth];
@@ -39,6 +39,8 @@ struct Family {
     set(Slot + 1, Node, 1, Budget - LeftBudget);
     ++Count;
   }
+  /// Shadow rays visit the last child first: a small one is soon done.
+  void sortBySurface();
 };
 
 /// How the children of a binary node share a budget.
@@ -86,6 +88,20 @@ struct Task {
 };
 
 } // namespace
+
+void Family::sortBySurface() {
+  for (uint32_t Slot = 1; Slot < Count; ++Slot)
+    for (uint32_t To = Slot; To != 0; --To) {
+      if (!(Boxes[To].halfArea() > Boxes[To - 1].halfArea()))
+        break;
+      const BoundingBox Box = Boxes[To];
+      const BvhReference Reference = References[To];
+      Boxes[To] = Boxes[To - 1];
+      References[To] = References[To - 1];
+      Boxes[To - 1] = Box;
+      References[To - 1] = Reference;
+    }
+}
 
 Split Collapse::findSplit(const BvhNode &Node, uint32_t Budget) const {
   Split Best{1,
@@ -152,6 +168,7 @@ Family Collapse::gatherChildren(BvhReference Parent) const {
     }
     ++Slot;
   }
+  Children.sortBySurface();
   return Children;
 }
 

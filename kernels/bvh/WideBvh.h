@@ -30,9 +30,10 @@ struct WideBvhStorage {
 /// Takes up to four descendants of each node together, so that the sum of the
 /// surfaces of the wide nodes, and with it the number that rays visit, is as
 /// small as it can be; returns the new root. A root that is a leaf stays one.
-/// Leaves stay what they are; no path gets longer. After H. Ylitie, T. Karras
-/// and S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
-/// Wide BVHs", HPG 2017.
+/// Leaves stay what they are; no path gets longer. The children of a node come
+/// in the order of their surfaces, the largest first. After H. Ylitie, T.
+/// Karras and S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through
+/// Compressed Wide BVHs", HPG 2017.
 BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root);
 
 } // namespace tp

@@ -145,6 +145,12 @@ static float leastSurface(const Tree &T, BvhReference Subtree, uint32_t Slots) {
   return std::min(surface(Node) + SplitInto(kWideBvhWidth), SplitInto(Slots));
 }
 
+static BoundingBox childBox(const WideBvhNode &Node, unsigned Slot) {
+  const auto &Bounds = Node.Bounds;
+  return {{Bounds[0][0][Slot], Bounds[1][0][Slot], Bounds[2][0][Slot]},
+          {Bounds[0][1][Slot], Bounds[1][1][Slot], Bounds[2][1][Slot]}};
+}
+
 /// The surfaces of the nodes of the wide tree.
 static float wideSurface(const Tree &T) {
   std::vector<WideBvhNode> WideNodes(T.Nodes.size());
@@ -155,10 +161,7 @@ static float wideSurface(const Tree &T) {
   for (const WideBvhNode &Node : WideNodes) {
     BoundingBox Box;
     for (unsigned Slot = 0; Slot != kWideBvhWidth; ++Slot)
-      Box.extend(BoundingBox{{Node.Bounds[0][0][Slot], Node.Bounds[1][0][Slot],
-                              Node.Bounds[2][0][Slot]},
-                             {Node.Bounds[0][1][Slot], Node.Bounds[1][1][Slot],
-                              Node.Bounds[2][1][Slot]}});
+      Box.extend(childBox(Node, Slot));
     Sum += Box.halfArea();
   }
   return Sum;
@@ -321,6 +324,18 @@ TEST(BvhBuilder, HeuristicBeatsMedianSplits) {
   const double MedianCost =
       Median{Heuristic, {}, {}}.cost(0, uint32_t(Boxes.size()), Bounds);
   EXPECT_LT(expectedCost(Heuristic, Heuristic.Root, {}), MedianCost * 0.9);
+}
+
+TEST(WideBvh, ChildrenComeByTheirSurface) {
+  const Tree T = build(randomBoxes(500, 30));
+  std::vector<WideBvhNode> WideNodes(T.Nodes.size());
+  WideBvhStorage Storage{T.Nodes.data(), WideNodes.data(), 0};
+  widenBvh(Storage, T.Root);
+  WideNodes.resize(Storage.WideNodeCount);
+  for (const WideBvhNode &Node : WideNodes)
+    for (unsigned Slot = 1; Slot != kWideBvhWidth && Node.Child[Slot]; ++Slot)
+      EXPECT_LE(childBox(Node, Slot).halfArea(),
+                childBox(Node, Slot - 1).halfArea());
 }
 
 TEST(WideBvh, HasTheLeastSurface) {
