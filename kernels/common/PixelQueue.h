@@ -7,9 +7,9 @@
 // All threads take pieces of the picture's PixelOrder from one counter. Early
 // pieces are large, so that a thread's rays are coherent and it seldom waits
 // for the counter; the last ones are single pixels, so that all threads end at
-// about the same time. The curve is taken from its end, at the picture's bottom,
-// because the longest rays must not come last: what is up is more often sky or
-// ceiling.
+// about the same time. The curve is taken from its end, at the picture's
+// bottom, because the longest rays must not come last: what is up is more often
+// sky or ceiling.
 //
 //===----------------------------------------------------------------------===//
 
