@@ -19,9 +19,9 @@ bool TPTTIImpl::isLoweredToCall(const Function *F) const {
          BaseT::isLoweredToCall(F);
 }
 
-InstructionCost
-TPTTIImpl::getInstructionCost(const User *U, ArrayRef<const Value *> Operands,
-                              TTI::TargetCostKind Kind) const {
+InstructionCost TPTTIImpl::getInstructionCost(const User *U,
+                                              ArrayRef<const Value *> Operands,
+                                              TTI::TargetCostKind Kind) const {
   // Messages to the observer take no time: code with them is worth what it is
   // without.
   if (const auto *Call = dyn_cast<CallInst>(U))

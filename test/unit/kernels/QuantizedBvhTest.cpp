@@ -211,8 +211,8 @@ TEST(QuantizedBvh, RaysEnterNoLaterAndLeaveNoEarlierThanFullBoxes) {
     const bool IsCommon = &Kind == Kinds;
     for (unsigned Round = 0; Round != 100; ++Round) {
       const Ray R = randomRay(Random, Kind, Node);
-      const BoxDistances Full = RayBoxTester(R).test(
-          reinterpret_cast<const char *>(&Node), kNoChild);
+      const BoxDistances Full =
+          RayBoxTester(R).test(reinterpret_cast<const char *>(&Node), kNoChild);
       const BoxDistances Rounded = QuantizedBoxTester(R).test(
           reinterpret_cast<const char *>(&Q), kNoChild);
       for (unsigned Child = 0; Child != Children; ++Child) {
