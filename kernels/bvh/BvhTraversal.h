@@ -48,7 +48,8 @@ TP_KERNEL_INLINE void testTriangles(const TriangleRecord *Records,
   constexpr uint32_t Stride = sizeof(TriangleRecord);
   const char *Corners = reinterpret_cast<const char *>(Records);
   // Two at a time share one wait for memory.
-  for (; Count >= 2; Count -= 2, First += 2, Corners += 2 * Stride)
+  for (; Count >= 2;
+       Count -= 2, First += 2, Corners += 2 * sizeof(TriangleRecord))
     Tester.test<2>(Corners, Stride, First, Found);
   if (Count != 0)
     Tester.test<1>(Corners, Stride, First, Found);

@@ -10,6 +10,8 @@
 #include "kernels/bvh/QuantizedPlanes.h"
 #include "kernels/bvh/RayBoxTester.h"
 
+#include <stddef.h>
+
 namespace tp {
 
 /// RayBoxTester for nodes that are QuantizedBvhNodes. A box is entered no later
@@ -75,7 +77,7 @@ private:
     Axis(float RayOrigin, float RayDirection, uint32_t Index)
         : Origin(RayOrigin), Inverse(RayBoxTester::inverse(RayDirection)) {
       const uint32_t Lower =
-          __builtin_offsetof(QuantizedBvhNode, Planes) + Index * 8;
+          __builtin_offsetof(QuantizedBvhNode, Planes) + size_t(8) * Index;
       Near = Lower + (RayDirection < 0.0f ? 4 : 0);
       Far = Lower + (RayDirection < 0.0f ? 0 : 4);
     }

@@ -22,6 +22,8 @@
 #include "kernels/common/Inline.h"
 #include "kernels/common/SceneLayout.h"
 
+#include <stddef.h>
+
 namespace tp {
 
 /// What the tests of one ray against triangles share.
@@ -54,7 +56,7 @@ public:
                              uint32_t First, Hit &Found) const {
     Shape Shapes[Count];
     for (unsigned Triangle = 0; Triangle != Count; ++Triangle)
-      Shapes[Triangle] = load(Corners + Triangle * Stride);
+      Shapes[Triangle] = load(Corners + size_t(Triangle) * Stride);
     // One wait for all.
     for (Shape &Each : Shapes)
       for (unsigned Corner = 0; Corner != 3; ++Corner) {
@@ -97,7 +99,7 @@ private:
     return Result;
   }
   TP_KERNEL_INLINE static float word(const char *Axis, unsigned Corner) {
-    return reinterpret_cast<const float *>(Axis)[3 * Corner];
+    return reinterpret_cast<const float *>(Axis)[size_t(3) * Corner];
   }
 
   TP_KERNEL_INLINE void test(const Shape &Triangle, uint32_t Number,

@@ -80,9 +80,9 @@ private:
 
 /// A subtree that waits to be made wide.
 struct Task {
-  BvhReference Subtree;
   /// Where the reference to the wide subtree goes.
   BvhReference *Result;
+  BvhReference Subtree;
   /// Wide nodes above it.
   uint32_t Depth;
 };
@@ -189,7 +189,7 @@ BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root) {
   BvhReference WideRoot = 0;
   Task Pending[kMaxBvhDepth * (kWideBvhWidth - 1) + 1];
   uint32_t PendingCount = 1;
-  Pending[0] = {Root, &WideRoot, 0};
+  Pending[0] = {&WideRoot, Root, 0};
   while (PendingCount != 0) {
     const Task Current = Pending[--PendingCount];
     if (isLeaf(Current.Subtree)) {
@@ -207,7 +207,7 @@ BvhReference widenBvh(WideBvhStorage &Storage, BvhReference Root) {
       setBounds(Node, Slot, Children.Boxes[Slot]);
       Node.Child[Slot] = 0;
       if (Slot < Children.Count)
-        Pending[PendingCount++] = {Children.References[Slot], &Node.Child[Slot],
+        Pending[PendingCount++] = {&Node.Child[Slot], Children.References[Slot],
                                    Current.Depth + 1};
     }
   }

@@ -14,7 +14,7 @@ namespace tp {
 
 /// The events of RayEvents.def; the number is the profile marker.
 enum class RayEvent : uint32_t {
-#define TP_RAY_EVENT(Name, Marker) Name = Marker,
+#define TP_RAY_EVENT(Name, Marker) Name = (Marker),
 #include "kernels/common/RayEvents.def"
 };
 

@@ -91,12 +91,14 @@ Contradiction CacheMirror::load(BvhReference From, uint32_t ParentWord,
   Loaded.Source = From;
   Loaded.Is = isLeaf(From) ? Slot::Leaf : Slot::Inner;
   if (ParentWord != kRootWord) {
-    const Place Above = *placeOf(ParentWord);
-    const Slot &Holder = Slots[Above.Slot];
+    const std::optional<Place> Above = placeOf(ParentWord);
+    if (!Above)
+      return "no slot in use holds the word that names the loaded slot";
+    const Slot &Holder = Slots[Above->Slot];
     if (Holder.Is == Slot::Leaf && restOf(Holder) != From)
       return "the loaded part of a leaf is not the rest of the part above it";
-    Loaded.Parent = Above.Slot;
-    Loaded.Position = Above.Position;
+    Loaded.Parent = Above->Slot;
+    Loaded.Position = Above->Position;
     Loaded.Depth = static_cast<uint16_t>(Holder.Depth + 1);
   }
   *Pointer = *Number;

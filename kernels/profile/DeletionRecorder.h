@@ -42,7 +42,10 @@ public:
   /// The events of all deletions, with the cache as it is when they are
   /// reported.
   void begin(const CacheMirror &Cache, uint64_t Ray) {
-    if (Countdown != 0 && --Countdown == 0)
+    if (Countdown == 0)
+      return;
+    --Countdown;
+    if (Countdown == 0)
       Partial.emplace(DeletionRecord{Cache, Cache, Ray, {}, {}});
   }
   void freeSlot(uint16_t Slot) {
@@ -59,7 +62,7 @@ public:
   }
   /// A load into a slot that the word at \p ParentWord will name.
   void load(const CacheMirror &Cache, uint32_t ParentWord) {
-    if (AwaitsPath)
+    if (AwaitsPath && Complete)
       Complete->Path = Cache.pathTo(ParentWord);
     AwaitsPath = false;
   }

@@ -42,6 +42,7 @@ ErrorOr<const DeletionRecord *> RayProfiler::recordedDeletion() const {
 
 std::vector<RayProfile> RayProfiler::threads() const {
   std::vector<RayProfile> Profiles;
+  Profiles.reserve(Threads.size());
   for (const ThreadRayProfiler &Thread : Threads)
     Profiles.push_back(Thread.profile());
   return Profiles;

@@ -94,12 +94,13 @@ Contradiction ThreadRayProfiler::process(RayEvent Event, uint32_t Value) {
     TrianglesFromMemory.Current += leafCount(Value);
     return isLeaf(Value) ? nullptr : "an inner node has no triangles";
   }
-  if (!Mirror)
+  if (!Mirror || !Counts.Cache)
     return "the thread has not said that it has a cache";
-  return processCacheEvent(Event, Value);
+  return processCacheEvent({*Mirror, *Counts.Cache}, Event, Value);
 }
 
-Contradiction ThreadRayProfiler::processCacheEvent(RayEvent Event,
+Contradiction ThreadRayProfiler::processCacheEvent(const CacheRecord &Cache,
+                                                   RayEvent Event,
                                                    uint32_t Value) {
   switch (Event) {
   case RayEvent::SlotLoadFrom:
@@ -109,17 +110,17 @@ Contradiction ThreadRayProfiler::processCacheEvent(RayEvent Event,
     LoadParent = Value;
     return nullptr;
   case RayEvent::SlotLoadInto:
-    return load(Value);
+    return load(Cache, Value);
   case RayEvent::SlotVisit:
-    return visit(Value);
+    return visit(Cache, Value);
   case RayEvent::DeletionBegin:
-    return beginDeletion(Value);
+    return beginDeletion(Cache, Value);
   case RayEvent::SlotFreed:
-    return freeSlot(Value);
+    return freeSlot(Cache, Value);
   case RayEvent::DeletionEnd:
-    return endDeletion(Value);
+    return endDeletion(Cache, Value);
   case RayEvent::Bypass:
-    ++Counts.Cache->Bypasses;
+    ++Cache.Profile.Bypasses;
     return nullptr;
   default:
     return "it is unknown";
@@ -145,8 +146,7 @@ Contradiction ThreadRayProfiler::processShape(RayEvent Event, uint32_t Value) {
     return Found;
   Mirror.emplace(Shape);
   AwaitingRay.resize(Shape.Slots);
-  Counts.Cache.emplace();
-  Counts.Cache->Shape = Shape;
+  Counts.Cache.emplace().Shape = Shape;
   return nullptr;
 }
 
@@ -164,38 +164,41 @@ Contradiction ThreadRayProfiler::beginRay(uint32_t Kind) {
   return nullptr;
 }
 
-Contradiction ThreadRayProfiler::load(CacheLink Into) {
-  if (const Contradiction Found = Mirror->load(LoadFrom, LoadParent, Into))
+Contradiction ThreadRayProfiler::load(const CacheRecord &Cache,
+                                      CacheLink Into) {
+  if (const Contradiction Found = Cache.Mirror.load(LoadFrom, LoadParent, Into))
     return Found;
-  const CacheMirror::Slot &Slot = Mirror->slots()[Mirror->slotOf(Into)];
+  const CacheMirror::Slot &Slot =
+      Cache.Mirror.slots()[Cache.Mirror.slotOf(Into)];
   if (isLeaf(LoadFrom))
-    TrianglesFromMemory.Current += Mirror->trianglesIn(Slot);
+    TrianglesFromMemory.Current += Cache.Mirror.trianglesIn(Slot);
   else
     ++NodesFromMemory.Current;
-  CacheProfile &Cache = *Counts.Cache;
-  ++Cache.Loads;
-  countAt(Cache.LoadsByDepth, Slot.Depth);
-  Cache.PeakSlotsUsed = std::max(Cache.PeakSlotsUsed, Mirror->usedSlots());
-  AwaitingRay[Mirror->slotOf(Into)] = Counts.rays();
+  ++Cache.Profile.Loads;
+  countAt(Cache.Profile.LoadsByDepth, Slot.Depth);
+  Cache.Profile.PeakSlotsUsed =
+      std::max(Cache.Profile.PeakSlotsUsed, Cache.Mirror.usedSlots());
+  AwaitingRay[Cache.Mirror.slotOf(Into)] = Counts.rays();
   if (Recorder)
-    Recorder->load(*Mirror, LoadParent);
+    Recorder->load(Cache.Mirror, LoadParent);
   return nullptr;
 }
 
-Contradiction ThreadRayProfiler::visit(CacheLink Link) {
-  if (const Contradiction Found = Mirror->visit(Link))
+Contradiction ThreadRayProfiler::visit(const CacheRecord &Cache,
+                                       CacheLink Link) {
+  if (const Contradiction Found = Cache.Mirror.visit(Link))
     return Found;
-  const CacheMirror::Slot &Slot = Mirror->slots()[Mirror->slotOf(Link)];
+  const CacheMirror::Slot &Slot =
+      Cache.Mirror.slots()[Cache.Mirror.slotOf(Link)];
   if (Slot.Is == CacheMirror::Slot::Leaf)
-    TrianglesVisited.Current += Mirror->trianglesIn(Slot);
+    TrianglesVisited.Current += Cache.Mirror.trianglesIn(Slot);
   else
     ++NodesVisited.Current;
-  CacheProfile &Cache = *Counts.Cache;
-  ++Cache.Visits;
-  uint64_t &LoadedFor = AwaitingRay[Mirror->slotOf(Link)];
+  ++Cache.Profile.Visits;
+  uint64_t &LoadedFor = AwaitingRay[Cache.Mirror.slotOf(Link)];
   if (LoadedFor != Counts.rays()) {
-    ++Cache.Hits;
-    countAt(Cache.HitsByDepth, Slot.Depth);
+    ++Cache.Profile.Hits;
+    countAt(Cache.Profile.HitsByDepth, Slot.Depth);
     if (Recorder)
       Recorder->visit();
   }
@@ -203,30 +206,32 @@ Contradiction ThreadRayProfiler::visit(CacheLink Link) {
   return nullptr;
 }
 
-Contradiction ThreadRayProfiler::beginDeletion(uint32_t Word) {
+Contradiction ThreadRayProfiler::beginDeletion(const CacheRecord &Cache,
+                                               uint32_t Word) {
   if (Recorder)
-    Recorder->begin(*Mirror, Counts.rays());
-  return Mirror->beginDeletion(Word);
+    Recorder->begin(Cache.Mirror, Counts.rays());
+  return Cache.Mirror.beginDeletion(Word);
 }
 
-Contradiction ThreadRayProfiler::freeSlot(uint32_t Offset) {
-  if (const Contradiction Found = Mirror->freeSlot(Offset))
+Contradiction ThreadRayProfiler::freeSlot(const CacheRecord &Cache,
+                                          uint32_t Offset) {
+  if (const Contradiction Found = Cache.Mirror.freeSlot(Offset))
     return Found;
   if (Recorder)
-    Recorder->freeSlot(Mirror->slotOf(Offset));
+    Recorder->freeSlot(Cache.Mirror.slotOf(Offset));
   return nullptr;
 }
 
-Contradiction ThreadRayProfiler::endDeletion(uint32_t Count) {
-  if (const Contradiction Found = Mirror->endDeletion(Count))
+Contradiction ThreadRayProfiler::endDeletion(const CacheRecord &Cache,
+                                             uint32_t Count) {
+  if (const Contradiction Found = Cache.Mirror.endDeletion(Count))
     return Found;
-  CacheProfile &Cache = *Counts.Cache;
-  ++Cache.Deletions;
-  Cache.SlotsFreed += Count;
-  Cache.MaxSlotsFreed = std::max(Cache.MaxSlotsFreed, Count);
-  ++Cache.DeletionsBySlotsFreed[std::bit_width(Count) - 1];
+  ++Cache.Profile.Deletions;
+  Cache.Profile.SlotsFreed += Count;
+  Cache.Profile.MaxSlotsFreed = std::max(Cache.Profile.MaxSlotsFreed, Count);
+  ++Cache.Profile.DeletionsBySlotsFreed[std::bit_width(Count) - 1];
   if (Recorder)
-    Recorder->end(*Mirror);
+    Recorder->end(Cache.Mirror);
   return nullptr;
 }
 

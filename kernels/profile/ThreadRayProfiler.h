@@ -44,15 +44,22 @@ private:
     PerRayCount finished() const;
   };
 
+  /// The thread's cache as it is, and what has been counted of it.
+  struct CacheRecord {
+    CacheMirror &Mirror;
+    CacheProfile &Profile;
+  };
+
   Contradiction process(RayEvent Event, uint32_t Value);
-  Contradiction processCacheEvent(RayEvent Event, uint32_t Value);
+  Contradiction processCacheEvent(const CacheRecord &Cache, RayEvent Event,
+                                  uint32_t Value);
   Contradiction processShape(RayEvent Event, uint32_t Value);
   Contradiction beginRay(uint32_t Kind);
-  Contradiction load(CacheLink Into);
-  Contradiction visit(CacheLink Link);
-  Contradiction beginDeletion(uint32_t Word);
-  Contradiction freeSlot(uint32_t Offset);
-  Contradiction endDeletion(uint32_t Count);
+  Contradiction load(const CacheRecord &Cache, CacheLink Into);
+  Contradiction visit(const CacheRecord &Cache, CacheLink Link);
+  Contradiction beginDeletion(const CacheRecord &Cache, uint32_t Word);
+  Contradiction freeSlot(const CacheRecord &Cache, uint32_t Offset);
+  Contradiction endDeletion(const CacheRecord &Cache, uint32_t Count);
   /// The events that may follow the last one, if only some may.
   bool mayFollow(RayEvent Event) const;
 

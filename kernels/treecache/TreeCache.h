@@ -19,6 +19,7 @@
 #include "kernels/treecache/SlotMemory.h"
 #include "kernels/treecache/WordsInFlight.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 namespace tp {
@@ -152,12 +153,13 @@ private:
                                       BvhReference Node) {
     constexpr uint32_t Count = Format::NodeBytes / 4;
     const char *Source = From.Nodes + Node;
-    const WordsInFlight<Count> Words(
-        [&](uint32_t Index) TP_LAMBDA_INLINE { return Source + Index * 4; });
+    const WordsInFlight<Count> Words([&](uint32_t Index) TP_LAMBDA_INLINE {
+      return Source + size_t(4) * Index;
+    });
     const CacheLink Link = hang(Word, Node, kInnerTag);
     char *Target = Memory.at(Link - kInnerTag);
     Words.store([&](uint32_t Index)
-                    TP_LAMBDA_INLINE { return Target + Index * 4; });
+                    TP_LAMBDA_INLINE { return Target + size_t(4) * Index; });
     return Link;
   }
 
@@ -231,7 +233,7 @@ TP_KERNEL_INLINE CacheLink TreeCache<Format, PolicyBytes>::loadTriangles(
   const WordsInFlight<Triangles * PerTriangle> Words(
       [&](uint32_t Index) TP_LAMBDA_INLINE {
         return Records + Index / PerTriangle * sizeof(TriangleRecord) +
-               Index % PerTriangle * 4;
+               size_t(4) * (Index % PerTriangle);
       });
 
   // Each part but the first hangs at the one before it.
@@ -245,7 +247,7 @@ TP_KERNEL_INLINE CacheLink TreeCache<Format, PolicyBytes>::loadTriangles(
   }
   Words.store([&](uint32_t Index) TP_LAMBDA_INLINE {
     constexpr uint32_t PerPart = PerSlot * PerTriangle;
-    return Memory.at(Slots[Index / PerPart]) + Index % PerPart * 4;
+    return Memory.at(Slots[Index / PerPart]) + size_t(4) * (Index % PerPart);
   });
   return leafLink(Slots[0]);
 }
