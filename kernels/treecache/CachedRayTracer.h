@@ -32,7 +32,7 @@ public:
   using Cache = TreeCache<Format, Policy::BytesPerSlot>;
 
   /// \p Slots is an empty cache of the tree Format::Nodes::root(\p Scene);
-  /// \p Entries has room for TraversalStack::Capacity entries.
+  /// \p Entries has room for traversalEntries() of the tree.
   CachedRayTracer(const SceneView &Scene, const Cache &Slots,
                   TraversalStack::Entry *Entries)
       : Memory{Nodes::nodes(Scene), Scene.Triangles}, Slots(Slots),
