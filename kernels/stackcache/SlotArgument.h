@@ -7,6 +7,7 @@
 #ifndef TP_KERNELS_STACKCACHE_SLOTARGUMENT_H
 #define TP_KERNELS_STACKCACHE_SLOTARGUMENT_H
 
+#include "tp/host_call.h"
 #include "tp/memory.h"
 #include "tp/thread.h"
 
@@ -23,8 +24,8 @@ template <class... Pieces> void complain(const Pieces *...Text) {
   if (threadId() != 0)
     return;
 #ifdef __tp__
-  constexpr unsigned WriteService = 0, StandardError = 2;
-  (__builtin_tp_hostcall(WriteService, StandardError, deviceAddress(Text),
+  constexpr unsigned StandardError = 2;
+  (__builtin_tp_hostcall(kHostCallWrite, StandardError, deviceAddress(Text),
                          __builtin_strlen(Text)),
    ...);
 #else

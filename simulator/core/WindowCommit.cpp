@@ -5,14 +5,13 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/core/WindowCommit.h"
+#include "runtime/include/tp/host_call.h"
 #include "simulator/core/LocalStore.h"
 
 #include <algorithm>
 
 namespace tp {
 
-/// The one service so far: write(fd, address, bytes).
-static constexpr uint32_t HostCallWrite = 0;
 /// Longer writes write this much.
 static constexpr uint32_t MaxHostCallWrite = 4096;
 
@@ -94,7 +93,7 @@ const uint8_t *WindowCommit::hostAddress(const Thread &Owner, uint32_t Address,
 std::optional<uint32_t> WindowCommit::hostCall(const GlobalAccess &Access,
                                                Trap &Bad) {
   uint32_t Fd = Access.Extra;
-  if (Access.Service != HostCallWrite || (Fd != 1 && Fd != 2)) {
+  if (Access.Service != kHostCallWrite || (Fd != 1 && Fd != 2)) {
     Bad.Kind = TrapKind::BadHostCall;
     Bad.Address = Access.Service;
     return std::nullopt;

@@ -12,6 +12,7 @@
 
 #include "runtime/lib/crt/ThreadExit.h"
 #include "runtime/lib/libc/Format.h"
+#include "tp/host_call.h"
 #include "tp/memory.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,7 +46,7 @@ thread_local LineBuffer Buffers[NumFiles];
 LineBuffer &bufferOf(FILE *File) { return Buffers[File == stderr]; }
 
 void emit(FILE *File, const char *Text, unsigned Bytes) {
-  __builtin_tp_hostcall(0, static_cast<unsigned>(File->Descriptor),
+  __builtin_tp_hostcall(kHostCallWrite, static_cast<unsigned>(File->Descriptor),
                         deviceAddress(Text), Bytes);
 }
 
