@@ -7,10 +7,12 @@
 #ifndef TP_SIMULATOR_CHIP_CHIPCONFIG_H
 #define TP_SIMULATOR_CHIP_CHIPCONFIG_H
 
+#include "simulator/chip/MemoryConfig.h"
 #include "simulator/isa/Instructions.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace tp {
@@ -44,8 +46,24 @@ struct ChipConfig {
   uint32_t LocalStoreBytes = 0;
   /// Global memory is [64 KiB, MemoryBytes).
   uint64_t MemoryBytes = 0;
-  /// Cycles from the issue of a global load or atomic to its result.
+  /// Cycles from the issue of a global load or atomic to its result if there
+  /// are neither caches nor DRAM; else from the departure out of the last level
+  /// in front of memory, if that is not Dram.
   uint32_t MemoryLatency = 100;
+
+  /// The levels between TMs and memory; each may be absent.
+  std::optional<CacheConfig> L1;
+  std::optional<CrossbarConfig> Crossbar;
+  std::optional<CacheConfig> L2;
+  /// TMs [k n, k n + n) share the k-th L2.
+  uint32_t TmsPerL2 = 1;
+  std::optional<DramConfig> Dram;
+  /// Stores of a TP that may be on their way at once if there are caches or
+  /// DRAM; the next one waits.
+  uint32_t StoreBufferEntries = 8;
+
+  /// Whether the time of accesses comes from a MemorySystem.
+  bool hasMemorySystem() const { return L1 || Crossbar || L2 || Dram; }
 
   /// Bank of an instruction is (pc / 4) mod IcacheBanks; IcachePorts fetches
   /// per bank and cycle in each TM.

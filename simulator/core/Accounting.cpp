@@ -28,7 +28,7 @@ static ThreadStatistics summarizeThread(const Thread &T, uint64_t NextCycle,
     // Only the last charge of a thread reaches beyond the window.
     uint64_t Beyond = Accounted - Cycles;
     Result.Lost[unsigned(T.LastLoss)] -= Beyond;
-    if (T.LastLoss == Loss::Data || T.LastLoss == Loss::Memory)
+    if (isWaitForResult(T.LastLoss))
       Sum.DataStall[unsigned(T.LastProducer)] -= Beyond;
   }
   if (T.State == ThreadState::Halted)

@@ -21,10 +21,20 @@ const char *lossName(Loss Reason) {
     return "data";
   case Loss::Memory:
     return "memory";
+  case Loss::L1:
+    return "l1";
+  case Loss::L2:
+    return "l2";
+  case Loss::Dram:
+    return "dram";
+  case Loss::StoreBuffer:
+    return "store_buffer";
   case Loss::UnitConflict:
     return "unit_conflict";
   case Loss::IcacheConflict:
     return "icache_conflict";
+  case Loss::IcacheMiss:
+    return "icache_miss";
   case Loss::Branch:
     return "branch";
   case Loss::Barrier:
@@ -157,8 +167,11 @@ Error checkSums(const ChipConfig &Chip, const Statistics &Stats) {
   if (Error E = Check("instructions by opcode", Sum(Stats.Executed),
                       ThreadInstructions))
     return E;
-  if (Error E = Check("data stalls by opcode", Sum(Stats.DataStall),
-                      Stats.lost(Loss::Data) + Stats.lost(Loss::Memory)))
+  uint64_t Waits = 0;
+  for (unsigned I = 0; I != NumLosses; ++I)
+    if (isWaitForResult(Loss(I)))
+      Waits += Stats.lost(Loss(I));
+  if (Error E = Check("data stalls by opcode", Sum(Stats.DataStall), Waits))
     return E;
   return Check("unit conflicts by opcode", Sum(Stats.UnitConflict),
                Stats.lost(Loss::UnitConflict));

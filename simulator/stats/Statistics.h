@@ -20,12 +20,21 @@ namespace tp {
 enum class Loss : uint8_t {
   /// Waited for the result of a unit or of the local store.
   Data,
-  /// Waited for the result of a load or atomic from global memory.
+  /// Waited for the result of a load or atomic from global memory of fixed
+  /// latency, or that is still on its way at the end.
   Memory,
+  /// Waited for a load or atomic that this level served.
+  L1,
+  L2,
+  Dram,
+  /// Its next store found its store buffer full.
+  StoreBuffer,
   /// The functional unit had no issue slot left in this cycle.
   UnitConflict,
   /// The instruction cache bank had no port left in this cycle.
   IcacheConflict,
+  /// Waited for a line of the instruction cache.
+  IcacheMiss,
   /// A taken branch whose target is fetched later than the next cycle.
   Branch,
   /// Waited at a barrier.
@@ -38,6 +47,11 @@ enum class Loss : uint8_t {
   Finished,
 };
 inline constexpr unsigned NumLosses = unsigned(Loss::Finished) + 1;
+
+/// Whether the loss has an instruction whose result was waited for.
+constexpr bool isWaitForResult(Loss Reason) {
+  return Reason <= Loss::StoreBuffer;
+}
 
 /// What one thread did.
 struct ThreadStatistics {
@@ -54,8 +68,8 @@ struct Statistics {
   uint64_t Cycles = 0;
   /// Instructions issued, by opcode.
   std::array<uint64_t, NumOpcodes> Executed{};
-  /// Cycles lost waiting for a result (Loss::Data and Loss::Memory), by the
-  /// opcode that produces it.
+  /// Cycles lost waiting for a result (isWaitForResult()), by the opcode that
+  /// produces it.
   std::array<uint64_t, NumOpcodes> DataStall{};
   /// Cycles lost to Loss::UnitConflict, by the opcode that had to wait.
   std::array<uint64_t, NumOpcodes> UnitConflict{};

@@ -92,9 +92,14 @@ static void writeLosses(const RunSummary &Run, raw_ostream &OS) {
       biggest(only(Stalls, [](Opcode Op) { return !isMemory(Op); }), Whole));
   Row("memory", Stats.lost(Loss::Memory),
       biggest(only(Stalls, isMemory), Whole));
+  Row("L1", Stats.lost(Loss::L1), "");
+  Row("L2", Stats.lost(Loss::L2), "");
+  Row("DRAM", Stats.lost(Loss::Dram), "");
+  Row("store buffer", Stats.lost(Loss::StoreBuffer), "");
   Row("unit conflict", Stats.lost(Loss::UnitConflict),
       biggest(largestFirst(Stats.UnitConflict), Whole));
   Row("icache conflict", Stats.lost(Loss::IcacheConflict), "");
+  Row("icache miss", Stats.lost(Loss::IcacheMiss), "");
   Row("branch", Stats.lost(Loss::Branch), "");
   Row("barrier", Stats.lost(Loss::Barrier), "");
   Row("sync", Stats.lost(Loss::Sync), "");

@@ -24,7 +24,8 @@ check("issued", cycles["issued"], run["instructions"])
 check("instructions by opcode", sum(o["executed"] for o in opcodes.values()),
       run["instructions"])
 check("data stalls by opcode", sum(o["data_stall_cycles"] for o in opcodes.values()),
-      lost["data"] + lost["memory"])
+      sum(lost[reason] for reason in
+          ("data", "memory", "l1", "l2", "dram", "store_buffer")))
 check("unit conflicts by opcode",
       sum(o["unit_conflict_cycles"] for o in opcodes.values()),
       lost["unit_conflict"])
