@@ -77,13 +77,12 @@ void Engine::setOutput(OutputFunction Function) {
   Implementation->setOutput(std::move(Function));
 }
 
-RunResult Engine::run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
-                      const ProgressFunction &Report) {
+RunResult Engine::run(const RunLimits &Limits) {
   assert(Error.empty() && "run() of an engine with an error");
-  RunResult Result = Implementation->run(MaxCycles, Stop, Report);
-  Counts = Implementation->statistics();
-  return Result;
+  return Implementation->run(Limits);
 }
+
+Statistics Engine::statistics() const { return Implementation->statistics(); }
 
 uint32_t Engine::registerOf(uint32_t Thread, unsigned Register) const {
   return Implementation->thread(Thread).Registers[Register];

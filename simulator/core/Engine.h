@@ -24,6 +24,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tp {
 
@@ -35,7 +36,7 @@ struct Progress {
   uint32_t HaltedThreads = 0;
 };
 
-/// How a run ended.
+/// How a run ended. After the first three run() does nothing more.
 struct RunResult {
   enum EndKind {
     /// All threads halted.
@@ -46,6 +47,8 @@ struct RunResult {
     CycleLimit,
     /// The stop flag was set.
     Stopped,
+    /// PauseCycle or one of PauseMarkers was reached.
+    Paused,
   };
   EndKind End = Halted;
   /// The first non-zero status in thread order, or 0; 1 after a trap.
@@ -56,6 +59,22 @@ struct RunResult {
 /// Receives what the program writes: the file descriptor (1 or 2) and bytes.
 using OutputFunction = std::function<void(int Fd, std::string_view Bytes)>;
 using ProgressFunction = std::function<void(const Progress &)>;
+
+/// How long to run. What is not set limits nothing.
+struct RunLimits {
+  /// Ends the run after this many cycles since its start; 0: no limit.
+  uint64_t MaxCycles = 0;
+  /// Pauses at the first window boundary that is not before this cycle; 0: no
+  /// pause.
+  uint64_t PauseCycle = 0;
+  /// Pauses at the end of a window in which a thread passed one of these
+  /// profile markers.
+  std::vector<uint32_t> PauseMarkers;
+  /// Stops at the end of a window when this has become true.
+  const std::atomic<bool> *Stop = nullptr;
+  /// Called about ten times a second.
+  ProgressFunction Report;
+};
 
 class EngineImplementation;
 
@@ -82,14 +101,13 @@ public:
   /// Where host calls write; without it output is dropped.
   void setOutput(OutputFunction Function);
 
-  /// Runs until all threads have halted, one trapped, \p MaxCycles cycles were
-  /// simulated (0: no limit), or \p *Stop became true. Calls \p Report about
-  /// ten times a second. May be called once.
-  RunResult run(uint64_t MaxCycles = 0, const std::atomic<bool> *Stop = nullptr,
-                const ProgressFunction &Report = {});
+  /// Runs until all threads have halted, one trapped, or a limit is reached.
+  /// After a pause or stop the next call goes on from there: pauses change no
+  /// result.
+  RunResult run(const RunLimits &Limits = {});
 
-  /// The counts up to the end of the run.
-  const Statistics &statistics() const { return Counts; }
+  /// The counts up to the end of the last run().
+  Statistics statistics() const;
 
   /// A register of a thread, 0..31 integer, 32..63 float.
   uint32_t registerOf(uint32_t Thread, unsigned Register) const;
@@ -99,7 +117,6 @@ public:
 private:
   std::unique_ptr<EngineImplementation> Implementation;
   std::string Error;
-  Statistics Counts;
 };
 
 } // namespace tp

@@ -25,9 +25,7 @@ public:
   virtual void setHostThreads(unsigned Count) = 0;
   virtual void setObserver(ProfileObserver *Observer) = 0;
   virtual void setOutput(OutputFunction Function) = 0;
-  virtual RunResult run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
-                        const ProgressFunction &Report) = 0;
-  /// Valid after run().
+  virtual RunResult run(const RunLimits &Limits) = 0;
   virtual Statistics statistics() const = 0;
   virtual const Thread &thread(uint32_t Number) const = 0;
 };

@@ -15,6 +15,7 @@
 #define TP_SIMULATOR_CORE_WINDOWENGINE_H
 
 #include "simulator/core/Accounting.h"
+#include "simulator/core/DecodedText.h"
 #include "simulator/core/EngineImplementation.h"
 #include "simulator/core/Handlers.h"
 #include "simulator/core/HostThreadPool.h"
@@ -48,8 +49,7 @@ public:
   void setOutput(OutputFunction Function) override {
     Commit.setOutput(std::move(Function));
   }
-  RunResult run(uint64_t MaxCycles, const std::atomic<bool> *Stop,
-                const ProgressFunction &Report) override;
+  RunResult run(const RunLimits &Limits) override;
   Statistics statistics() const override {
     return summarize(Threads, NextCycles, EndCycle, Counters);
   }
@@ -59,14 +59,13 @@ public:
 
 private:
   using Runner = TmRunner<Word>;
-  static constexpr Subnormals Mode =
-      FlushToZero ? Subnormals::Flush : Subnormals::Keep;
 
-  void decodeText(const Program &Text);
+  /// As many runners and host threads as are wanted.
+  void prepareHostThreads();
   void prepareFree();
   /// Finds the next window in which something happens; false if that is not
-  /// before MaxCycles.
-  bool enterWindow(uint64_t MaxCycles);
+  /// before \p Limit.
+  bool enterWindow(uint64_t Limit);
   void moveEpoch();
   /// The part of a window that a host thread does.
   void runTms(Runner &R);
@@ -74,9 +73,12 @@ private:
   /// The rest of it.
   void finishWindow();
   void releaseBarrier();
-  /// How the run has ended by now, if it has; sets EndCycle.
-  std::optional<RunResult> ending(uint64_t MaxCycles,
-                                  const std::atomic<bool> *Stop);
+  /// How the run has ended for good by now, if it has; sets EndCycle.
+  std::optional<RunResult> ending(uint64_t MaxCycles);
+  /// The cycle in which to pause: a window's first.
+  uint64_t pauseCycle(const RunLimits &Limits) const;
+  /// Passes of these markers so far.
+  uint64_t countPasses(std::span<const uint32_t> Markers) const;
   Progress progress() const;
 
   const ChipConfig Chip;
@@ -96,6 +98,7 @@ private:
   std::vector<std::unique_ptr<Runner>> Runners;
   /// Counters of all runners, for the statistics.
   std::vector<const TmRunnerState *> Counters;
+  std::optional<HostThreadPool> Pool;
   /// The resource words of the window's cycles before anything has issued.
   std::vector<Word> InitialFree;
   std::atomic<uint32_t> NextTm = 0;
@@ -108,6 +111,8 @@ private:
   uint32_t Halted = 0;
   std::optional<PendingTrap> FirstTrap;
   uint64_t EndCycle = 0;
+  /// How the run has ended for good.
+  std::optional<RunResult> Final;
 };
 
 template <class Word, bool FlushToZero>
@@ -117,9 +122,9 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
                                               const ResourceLayout &Layout)
     : Chip(Chip), Layout(Layout), Commit(Global, Text, Chip.LocalStoreBytes),
       LocalStores(Chip.threadCount() * localStoreStride(Chip)),
+      Slots(decodeText<Word, FlushToZero>(Text, Chip, Layout)),
       Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
       TmNextCycles(Chip.TmCount) {
-  decodeText(Text);
   LocalStoreRange Local(Chip.LocalStoreBytes);
   Context.Chip = &this->Chip;
   Context.Global = Global.data();
@@ -143,45 +148,6 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
   }
 }
 
-/// True for an instruction that computes the stack pointer from itself, as
-/// those of a function's frame do.
-inline bool movesStackPointer(const Instruction &Decoded) {
-  return Decoded.Destination == StackPointerRegister &&
-         std::ranges::find(Decoded.Source, StackPointerRegister) !=
-             std::end(Decoded.Source);
-}
-
-template <class Word, bool FlushToZero>
-void WindowEngine<Word, FlushToZero>::decodeText(const Program &Text) {
-  uint32_t Address = Text.textBegin();
-  // Decides on the bank. Messages are as if they were not in the text.
-  uint32_t Fetches = Address / 4;
-  bool StackHasMoved = false;
-  for (const Instruction &Decoded : Text.instructions()) {
-    Slot<Word> S{0, Handlers<Word, Mode>::of(Decoded.Op), Decoded, 0};
-    if (StackHasMoved)
-      S.Execute = Handlers<Word, Mode>::afterStackMove();
-    if constexpr (FlushToZero)
-      if (Text.isFloatChecked(Address))
-        S.Execute = StackHasMoved
-                        ? Handlers<Word, Subnormals::Trap>::afterStackMove()
-                        : Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
-    bool IsMessage = Decoded.Op != IllegalOpcode && !takesTime(Decoded.Op);
-    if (Decoded.Op != IllegalOpcode && !IsMessage) {
-      uint32_t Bank = Fetches % Chip.IcacheBanks;
-      S.Use = Word(Layout.use(unitOf(Decoded.Op), Bank));
-      S.Result = ready::after(
-          Chip.Latency[unsigned(latencyClassOf(Decoded.Op))], Decoded.Op);
-    }
-    Slots.push_back(S);
-    StackHasMoved = Text.stackLimit() != 0 && movesStackPointer(Decoded);
-    Address += 4;
-    if (!IsMessage)
-      ++Fetches;
-  }
-  Slots.push_back({0, Handlers<Word, Mode>::endOfText(), {}, 0});
-}
-
 template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::prepareFree() {
   uint64_t Cycles = WindowEnd - WindowStart;
@@ -195,15 +161,15 @@ void WindowEngine<Word, FlushToZero>::prepareFree() {
 }
 
 template <class Word, bool FlushToZero>
-bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t MaxCycles) {
+bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t Limit) {
   uint64_t Next = *std::min_element(TmNextCycles.begin(), TmNextCycles.end());
   uint64_t Window = Next / Chip.ArbitrationWindow;
   WindowStart = Window * Chip.ArbitrationWindow;
-  if (WindowStart >= MaxCycles) {
-    WindowEnd = MaxCycles;
+  if (WindowStart >= Limit) {
+    WindowEnd = Limit;
     return false;
   }
-  WindowEnd = std::min(WindowStart + Chip.ArbitrationWindow, MaxCycles);
+  WindowEnd = std::min(WindowStart + Chip.ArbitrationWindow, Limit);
   FirstPriority = uint32_t(Window % Chip.TpsPerTm);
   if (WindowStart - Epoch > ready::CycleLimit / 2)
     moveEpoch();
@@ -228,13 +194,12 @@ void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
   R.WindowStart = WindowStart;
   R.Epoch = Epoch;
   R.End = WindowEnd - Epoch;
-  R.Log.clear();
   // Neighbouring TMs go to the same host thread, as few atomic operations as
   // still balance the load.
   uint32_t Share =
-      Runners.size() == 1
+      Pool->size() == 1
           ? Chip.TmCount
-          : std::max<uint32_t>(1, Chip.TmCount / uint32_t(Runners.size() * 8));
+          : std::max<uint32_t>(1, Chip.TmCount / uint32_t(Pool->size() * 8));
   for (;;) {
     uint32_t Begin = NextTm.fetch_add(Share, std::memory_order_relaxed);
     if (Begin >= Chip.TmCount)
@@ -289,6 +254,8 @@ void WindowEngine<Word, FlushToZero>::finishWindow() {
       keepFirst(FirstTrap, *R->FirstTrap);
   }
   Commit.commit(WindowStart, FirstTrap);
+  for (const std::unique_ptr<Runner> &R : Runners)
+    R->Log.clear();
   if (Waiting != 0 && Waiting + Halted == Threads.size())
     releaseBarrier();
 }
@@ -317,8 +284,7 @@ Progress WindowEngine<Word, FlushToZero>::progress() const {
 
 template <class Word, bool FlushToZero>
 std::optional<RunResult>
-WindowEngine<Word, FlushToZero>::ending(uint64_t MaxCycles,
-                                        const std::atomic<bool> *Stop) {
+WindowEngine<Word, FlushToZero>::ending(uint64_t MaxCycles) {
   RunResult Result;
   EndCycle = WindowEnd;
   if (FirstTrap) {
@@ -341,24 +307,34 @@ WindowEngine<Word, FlushToZero>::ending(uint64_t MaxCycles,
     Result.End = RunResult::CycleLimit;
     return Result;
   }
-  if (Stop && Stop->load(std::memory_order_relaxed)) {
-    Result.End = RunResult::Stopped;
-    return Result;
-  }
   return std::nullopt;
 }
 
 template <class Word, bool FlushToZero>
-RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
-                                               const std::atomic<bool> *Stop,
-                                               const ProgressFunction &Report) {
-  using Clock = std::chrono::steady_clock;
-  if (MaxCycles == 0)
-    MaxCycles = NeverCycle;
+uint64_t
+WindowEngine<Word, FlushToZero>::pauseCycle(const RunLimits &Limits) const {
+  if (Limits.PauseCycle == 0)
+    return NeverCycle;
+  uint64_t Windows = (Limits.PauseCycle - 1) / Chip.ArbitrationWindow + 1;
+  return Windows * Chip.ArbitrationWindow;
+}
+
+template <class Word, bool FlushToZero>
+uint64_t WindowEngine<Word, FlushToZero>::countPasses(
+    std::span<const uint32_t> Markers) const {
+  uint64_t Passes = 0;
+  for (const TmRunnerState *State : Counters)
+    for (uint32_t Marker : Markers)
+      if (Marker < State->Markers.size())
+        Passes += State->Markers[Marker];
+  return Passes;
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
   unsigned Count = std::clamp(HostThreads, 1u, Chip.TmCount);
-  for (unsigned I = 0; I != Count; ++I) {
+  while (Runners.size() < Count) {
     auto R = std::make_unique<Runner>();
-    R->Chip = Context;
     R->Slots = Slots.data();
     R->Guards = Word(Layout.guards());
     R->IcacheGuards = Word(Layout.icacheGuards());
@@ -366,22 +342,39 @@ RunResult WindowEngine<Word, FlushToZero>::run(uint64_t MaxCycles,
     Counters.push_back(R.get());
     Runners.push_back(std::move(R));
   }
-  HostThreadPool Pool(Count, [this](unsigned I) { runTms(*Runners[I]); });
+  for (std::unique_ptr<Runner> &R : Runners)
+    R->Chip = Context;
+  if (!Pool || Pool->size() != Count)
+    Pool.emplace(Count, [this](unsigned I) { runTms(*Runners[I]); });
+}
 
-  std::optional<RunResult> Result;
+template <class Word, bool FlushToZero>
+RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
+  using Clock = std::chrono::steady_clock;
+  if (Final)
+    return *Final;
+  prepareHostThreads();
+  uint64_t MaxCycles = Limits.MaxCycles ? Limits.MaxCycles : NeverCycle;
+  uint64_t PauseCycle = pauseCycle(Limits);
+  uint64_t PassesBefore = countPasses(Limits.PauseMarkers);
   auto LastReport = Clock::now();
-  for (unsigned Windows = 0; !(Result = ending(MaxCycles, Stop)); ++Windows) {
-    if (Report && Windows % 32 == 0 &&
+  for (unsigned Windows = 0; !(Final = ending(MaxCycles)); ++Windows) {
+    if (Limits.Stop && Limits.Stop->load(std::memory_order_relaxed))
+      return RunResult{RunResult::Stopped, 0, std::nullopt};
+    if (WindowEnd >= PauseCycle ||
+        countPasses(Limits.PauseMarkers) != PassesBefore)
+      return RunResult{RunResult::Paused, 0, std::nullopt};
+    if (Limits.Report && Windows % 32 == 0 &&
         Clock::now() - LastReport > std::chrono::milliseconds(100)) {
       LastReport = Clock::now();
-      Report(progress());
+      Limits.Report(progress());
     }
-    if (!enterWindow(MaxCycles))
+    if (!enterWindow(std::min(MaxCycles, PauseCycle)))
       continue;
-    Pool.run();
+    Pool->run();
     finishWindow();
   }
-  return *Result;
+  return *Final;
 }
 
 template <class Word, bool FlushToZero>

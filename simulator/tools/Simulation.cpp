@@ -130,6 +130,7 @@ static const char *outcomeName(RunResult::EndKind End) {
   case RunResult::CycleLimit:
     return "cycle_limit";
   case RunResult::Stopped:
+  case RunResult::Paused:
     return "interrupted";
   }
   llvm_unreachable("every end has a name");
@@ -143,6 +144,7 @@ static int exitStatus(const RunResult &Result) {
   case RunResult::CycleLimit:
     return 1;
   case RunResult::Stopped:
+  case RunResult::Paused:
     return InterruptedStatus;
   }
   llvm_unreachable("every end has a status");
@@ -291,15 +293,17 @@ static RunResult runWithProgress(Engine &Machine, const Options &Request,
   double Pixels = double(Loaded.Block.Width) * Loaded.Block.Height;
   Machine.setHostThreads(Request.HostThreads);
   Machine.setOutput(passOn(Line));
-  return Machine.run(
-      Request.MaxCycles, &stopOnInterrupt(), [&](const Progress &Now) {
-        std::optional<double> Share;
-        if (Loaded.Source)
-          Share =
-              readPixelsTaken(Loaded.Block, Threads, Loaded.Launch) / Pixels;
-        Line.update(Now, Share);
-        outs().flush();
-      });
+  RunLimits Limits;
+  Limits.MaxCycles = Request.MaxCycles;
+  Limits.Stop = &stopOnInterrupt();
+  Limits.Report = [&](const Progress &Now) {
+    std::optional<double> Share;
+    if (Loaded.Source)
+      Share = readPixelsTaken(Loaded.Block, Threads, Loaded.Launch) / Pixels;
+    Line.update(Now, Share);
+    outs().flush();
+  };
+  return Machine.run(Limits);
 }
 
 /// Who interprets the run's ray events; null if the user will not see what they

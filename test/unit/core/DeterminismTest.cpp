@@ -107,6 +107,22 @@ TEST_P(Determinism, AlsoWhenCutAtACycle) {
   }
 }
 
+TEST_P(Determinism, PausesAndOtherHostThreadsInBetweenChangeNothing) {
+  ChipConfig Chip = contendedChip(GetParam().first, GetParam().second);
+  Assembly Program = contendedProgram();
+  Simulation Reference(Chip, Program), S(Chip, Program);
+  for (Simulation *Each : {&Reference, &S})
+    Each->setWord(DataBegin + 0x108, 64);
+  Reference.cycles();
+  RunLimits Limits;
+  do {
+    Limits.PauseCycle += 200;
+    S.setHostThreads(1 + Limits.PauseCycle / 200 % 3);
+  } while (S.run(Limits).End == RunResult::Paused);
+  expectSame(S.statistics(), Reference.statistics());
+  EXPECT_EQ(S.output(), Reference.output());
+}
+
 INSTANTIATE_TEST_SUITE_P(Chips, Determinism,
                          testing::Values(std::pair(1, 4), std::pair(4, 4),
                                          std::pair(7, 3), std::pair(16, 8)));

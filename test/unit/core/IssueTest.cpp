@@ -271,7 +271,9 @@ TEST(Issue, StopFlagEndsTheRun) {
   Program Text(TextBegin, A.words(), TextBegin);
   Engine E(Chip, Text, Global);
   std::atomic<bool> Stop = true;
-  EXPECT_EQ(E.run(0, &Stop).End, RunResult::Stopped);
+  RunLimits Limits;
+  Limits.Stop = &Stop;
+  EXPECT_EQ(E.run(Limits).End, RunResult::Stopped);
 }
 
 } // namespace

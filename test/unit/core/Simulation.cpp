@@ -40,7 +40,14 @@ Simulation::Simulation(const ChipConfig &Chip, const Assembly &Source,
 }
 
 RunResult Simulation::run(uint64_t MaxCycles) {
-  RunResult Result = Simulated.run(MaxCycles);
+  RunLimits Limits;
+  Limits.MaxCycles = MaxCycles;
+  return run(Limits);
+}
+
+RunResult Simulation::run(const RunLimits &Limits) {
+  RunResult Result = Simulated.run(Limits);
+  Counts = Simulated.statistics();
   expectConsistentStatistics();
   return Result;
 }

@@ -33,11 +33,15 @@ public:
   void setObserver(ProfileObserver &Observer) {
     Simulated.setObserver(&Observer);
   }
+  void setHostThreads(unsigned Count) { Simulated.setHostThreads(Count); }
   RunResult run(uint64_t MaxCycles = 1000000);
   /// Runs, expects that all threads halt, and gives the cycles.
   uint64_t cycles();
 
-  const Statistics &statistics() const { return Simulated.statistics(); }
+  RunResult run(const RunLimits &Limits);
+
+  /// At the end of the last run.
+  const Statistics &statistics() const { return Counts; }
   uint64_t lost(uint32_t Thread, Loss Reason) const {
     return statistics().Threads[Thread].Lost[unsigned(Reason)];
   }
@@ -59,6 +63,7 @@ private:
   Program Text;
   Engine Simulated;
   std::string Output;
+  Statistics Counts;
 };
 
 } // namespace tp::test

@@ -1,0 +1,67 @@
+//===- DecodedText.h - A program's text, ready for a chip -------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_DECODEDTEXT_H
+#define TP_SIMULATOR_CORE_DECODEDTEXT_H
+
+#include "simulator/core/Handlers.h"
+#include "simulator/core/Program.h"
+#include "simulator/core/ResourceLayout.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace tp {
+
+/// True for an instruction that computes the stack pointer from itself, as
+/// those of a function's frame do.
+inline bool movesStackPointer(const Instruction &Decoded) {
+  return Decoded.Destination == StackPointerRegister &&
+         std::ranges::find(Decoded.Source, StackPointerRegister) !=
+             std::end(Decoded.Source);
+}
+
+/// The text with the handler of each instruction, one slot per word and one
+/// behind it.
+template <class Word, bool FlushToZero>
+std::vector<Slot<Word>> decodeText(const Program &Text, const ChipConfig &Chip,
+                                   const ResourceLayout &Layout) {
+  constexpr Subnormals Mode =
+      FlushToZero ? Subnormals::Flush : Subnormals::Keep;
+  std::vector<Slot<Word>> Slots;
+  uint32_t Address = Text.textBegin();
+  // Decides on the bank. Messages are as if they were not in the text.
+  uint32_t Fetches = Address / 4;
+  bool StackHasMoved = false;
+  for (const Instruction &Decoded : Text.instructions()) {
+    Slot<Word> S{0, Handlers<Word, Mode>::of(Decoded.Op), Decoded, 0};
+    if (StackHasMoved)
+      S.Execute = Handlers<Word, Mode>::afterStackMove();
+    if constexpr (FlushToZero)
+      if (Text.isFloatChecked(Address))
+        S.Execute = StackHasMoved
+                        ? Handlers<Word, Subnormals::Trap>::afterStackMove()
+                        : Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
+    bool IsMessage = Decoded.Op != IllegalOpcode && !takesTime(Decoded.Op);
+    if (Decoded.Op != IllegalOpcode && !IsMessage) {
+      uint32_t Bank = Fetches % Chip.IcacheBanks;
+      S.Use = Word(Layout.use(unitOf(Decoded.Op), Bank));
+      S.Result = ready::after(
+          Chip.Latency[unsigned(latencyClassOf(Decoded.Op))], Decoded.Op);
+    }
+    Slots.push_back(S);
+    StackHasMoved = Text.stackLimit() != 0 && movesStackPointer(Decoded);
+    Address += 4;
+    if (!IsMessage)
+      ++Fetches;
+  }
+  Slots.push_back({0, Handlers<Word, Mode>::endOfText(), {}, 0});
+  return Slots;
+}
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_DECODEDTEXT_H
