@@ -82,6 +82,8 @@ RunResult Engine::run(const RunLimits &Limits) {
   return Implementation->run(Limits);
 }
 
+uint64_t Engine::cycles() const { return Implementation->cycles(); }
+
 Statistics Engine::statistics() const { return Implementation->statistics(); }
 
 uint32_t Engine::registerOf(uint32_t Thread, unsigned Register) const {

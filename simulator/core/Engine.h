@@ -106,6 +106,8 @@ public:
   /// result.
   RunResult run(const RunLimits &Limits = {});
 
+  /// Cycles simulated so far.
+  uint64_t cycles() const;
   /// The counts up to the end of the last run().
   Statistics statistics() const;
 

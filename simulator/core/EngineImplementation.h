@@ -26,6 +26,7 @@ public:
   virtual void setObserver(ProfileObserver *Observer) = 0;
   virtual void setOutput(OutputFunction Function) = 0;
   virtual RunResult run(const RunLimits &Limits) = 0;
+  virtual uint64_t cycles() const = 0;
   virtual Statistics statistics() const = 0;
   virtual const Thread &thread(uint32_t Number) const = 0;
 };

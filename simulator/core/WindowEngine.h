@@ -50,6 +50,7 @@ public:
     Commit.setOutput(std::move(Function));
   }
   RunResult run(const RunLimits &Limits) override;
+  uint64_t cycles() const override { return EndCycle; }
   Statistics statistics() const override {
     return summarize(Threads, NextCycles, EndCycle, Counters);
   }

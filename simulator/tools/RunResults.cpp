@@ -1,0 +1,184 @@
+//===- RunResults.cpp - What a run of tpsim leaves behind -----------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/tools/RunResults.h"
+
+#include "kernels/common/BuiltBvh.h"
+#include "scenes/image/PngWriter.h"
+#include "simulator/stats/JsonReport.h"
+#include "simulator/tools/CacheTrace.h"
+#include "simulator/tools/Simulation.h"
+
+#include "llvm/Support/WithColor.h"
+
+using namespace llvm;
+
+namespace tp {
+
+static const char *outcomeName(RunResult::EndKind End) {
+  switch (End) {
+  case RunResult::Halted:
+    return "finished";
+  case RunResult::Trapped:
+    return "trapped";
+  case RunResult::CycleLimit:
+    return "cycle_limit";
+  case RunResult::Stopped:
+  case RunResult::Paused:
+    return "interrupted";
+  }
+  llvm_unreachable("every end has a name");
+}
+
+static int exitStatus(const RunResult &Result) {
+  switch (Result.End) {
+  case RunResult::Halted:
+    return Result.ExitStatus;
+  case RunResult::Trapped:
+  case RunResult::CycleLimit:
+    return 1;
+  case RunResult::Stopped:
+  case RunResult::Paused:
+    return InterruptedStatus;
+  }
+  llvm_unreachable("every end has a status");
+}
+
+RunSummary summaryOf(const RunResult &Result, const Options &Request,
+                     const RunSetup &Loaded, const ChipConfig &Chip,
+                     const Statistics &Stats) {
+  RunSummary Run{Chip, Stats,       outcomeName(Result.End), exitStatus(Result),
+                 {},   std::nullopt};
+  if (!Loaded.Source)
+    return Run;
+  const RenderOptions &Image = Request.Rendering;
+  Run.Rays = readRayCounts(Loaded.Block, Chip.threadCount(), Loaded.Launch);
+  Run.Image = ImageSettings{Image.Width, Image.Height, Image.SamplesPerPixel,
+                            Image.MaxDepth, Image.Seed};
+  return Run;
+}
+
+/// Writes what \p Write writes to the file at \p Path, or to standard output if
+/// that is `-`.
+static llvm::Error writeTo(const std::string &Path,
+                           function_ref<void(raw_ostream &)> Write) {
+  if (Path == "-") {
+    Write(outs());
+    return llvm::Error::success();
+  }
+  std::error_code EC;
+  raw_fd_ostream File(Path, EC);
+  if (!EC) {
+    Write(File);
+    File.close();
+    EC = File.error();
+    File.clear_error();
+  }
+  if (EC)
+    return createStringError("cannot write " + Path + ": " + EC.message());
+  return llvm::Error::success();
+}
+
+/// Checks the run's ray events and adds them to \p Run.
+static llvm::Error addRayProfiles(const RayProfiler &Rays, RunSummary &Run) {
+  if (Status S = Rays.check(); !S)
+    return createStringError(S.message());
+  std::vector<RayProfile> Threads = Rays.threads();
+  if (sumOf(Threads))
+    Run.RayProfiles = std::move(Threads);
+  return llvm::Error::success();
+}
+
+/// Verifies the tree that a finished kernel built, and prints what it is.
+static llvm::Error checkBvh(const Options &Request, const LaunchBlock &Launch,
+                            const ProgramMemory &Memory) {
+  ErrorOr<std::string> Tree = checkBuiltBvh(Launch, Memory, Request.BvhOutput);
+  if (!Tree)
+    return createStringError(Request.Program + ": " + Tree.message());
+  errs() << *Tree << '\n';
+  return llvm::Error::success();
+}
+
+/// Prints and writes the deletion that the user asked for.
+static llvm::Error writeCacheTrace(const RayProfiler &Rays,
+                                   const Options &Request,
+                                   const LaunchBlock &Launch,
+                                   const ProgramMemory &Memory) {
+  ErrorOr<const DeletionRecord *> Record = Rays.recordedDeletion();
+  if (!Record)
+    return createStringError("--trace-cache: " + Record.message());
+  Expected<CacheTrace> Trace =
+      traceDeletion(Request.TracedDeletion, **Record, Launch, Memory);
+  if (!Trace)
+    return Trace.takeError();
+  writeTable(*Trace, errs());
+  return writeTo(Request.CacheTraceOutput,
+                 [&](raw_ostream &OS) { writeJson(*Trace, OS); });
+}
+
+static llvm::Error writeOutputs(const RunSummary &Run, const Options &Request,
+                                const LaunchBlock &Launch,
+                                const ProgramMemory &Memory) {
+  llvm::Error Failures = llvm::Error::success();
+  auto Note = [&Failures](llvm::Error E) {
+    Failures = joinErrors(std::move(Failures), std::move(E));
+  };
+  if (!Request.ImageOutput.empty())
+    if (Status S =
+            writePng(Request.ImageOutput, readFramebuffer(Launch, Memory));
+        !S)
+      Note(createStringError(S.message()));
+  if (!Request.StatisticsOutput.empty())
+    Note(writeTo(Request.StatisticsOutput,
+                 [&](raw_ostream &OS) { writeJson(Run, OS); }));
+  return Failures;
+}
+
+/// Whether all that went to standard output arrived there.
+static llvm::Error flushOutput() {
+  outs().flush();
+  if (!outs().has_error())
+    return llvm::Error::success();
+  std::error_code EC = outs().error();
+  outs().clear_error();
+  return createStringError("cannot write standard output: " + EC.message());
+}
+
+llvm::Error writeResults(RunSummary &Run, const Options &Request,
+                         const RunSetup &Loaded) {
+  llvm::Error Failures =
+      Loaded.Rays ? addRayProfiles(*Loaded.Rays, Run) : llvm::Error::success();
+  auto Note = [&Failures](llvm::Error E) {
+    Failures = joinErrors(std::move(Failures), std::move(E));
+  };
+  Note(writeOutputs(Run, Request, Loaded.Block, Loaded.Launch));
+  Note(checkSums(Run.Chip, Run.Stats));
+  Note(flushOutput());
+  if (!Request.CacheTraceOutput.empty())
+    Note(writeCacheTrace(*Loaded.Rays, Request, Loaded.Block, Loaded.Launch));
+  for (const MemoryDump &Dump : Loaded.Dumps)
+    Note(write(Dump, Loaded.Global));
+  if (Request.Rendering.Bvh == BvhOrigin::Kernel && Run.ExitStatus == 0)
+    Note(checkBvh(Request, Loaded.Block, Loaded.Launch));
+  return Failures;
+}
+
+void explainEnd(const RunResult &Result, const Options &Request,
+                const ChipConfig &Chip, const ElfProgram &Elf,
+                const RegisterFunction &Registers) {
+  if (const std::optional<Trap> &Cause = Result.TrapInfo) {
+    Symbolizer Symbols(Elf);
+    WithColor::error(errs(), "tpsim")
+        << trapMessage(*Cause, Chip, Elf, Symbols, Registers) << '\n';
+  } else if (Result.End == RunResult::CycleLimit) {
+    WithColor::error(errs(), "tpsim")
+        << "stopped after " << Request.MaxCycles << " cycles (--max-cycles)\n";
+  } else if (Result.End == RunResult::Stopped) {
+    WithColor::error(errs(), "tpsim") << "interrupted\n";
+  }
+}
+
+} // namespace tp
