@@ -50,6 +50,11 @@ enum class ServedBy : uint8_t {
 };
 inline constexpr unsigned NumServedBy = unsigned(ServedBy::Memory) + 1;
 
+/// The ReadyCycle of an answer that only says that the request has gone beyond
+/// the L1: a second answer follows after a finishWindow(), of this or a later
+/// window.
+inline constexpr uint64_t AnsweredLater = ~uint64_t(0);
+
 /// When a request is done: a load's or atomic's result is ready, a store has
 /// been taken by the level that keeps it, a line has arrived.
 struct MemoryAnswer {

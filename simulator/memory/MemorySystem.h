@@ -37,8 +37,15 @@ public:
   /// Decides all that happens in the TM before \p Cycle, in the order of time,
   /// and appends the answers that this makes known; their ReadyCycle may be
   /// any later one. All requests before \p Cycle must have been made. With an
-  /// L1 a hit's answer is known here; a miss is answered after finishWindow().
+  /// L1 a hit's answer is known here; of a load or store that goes on to the
+  /// next level, that it is AnsweredLater. None is ready earlier than the L1's
+  /// latency after the start of its service, which is decided here if it is
+  /// before \p Cycle.
   virtual void advance(uint64_t Cycle, std::vector<MemoryAnswer> &Answers) = 0;
+  /// The first cycle, not before that of the last advance(), in which something
+  /// happens in the TM without new requests and answers from outside; ~0 if
+  /// nothing does.
+  virtual uint64_t nextEvent() const = 0;
 
   /// Appends the answers that the last finishWindow() made known: none is ready
   /// before the window's end.
