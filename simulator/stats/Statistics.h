@@ -8,9 +8,11 @@
 #define TP_SIMULATOR_STATS_STATISTICS_H
 
 #include "simulator/isa/Instructions.h"
+#include "simulator/memory/MemoryStatistics.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tp {
@@ -48,6 +50,9 @@ enum class Loss : uint8_t {
 };
 inline constexpr unsigned NumLosses = unsigned(Loss::Finished) + 1;
 
+/// Cycles lost by reason.
+using LossCounts = std::array<uint64_t, NumLosses>;
+
 /// Whether the loss has an instruction whose result was waited for.
 constexpr bool isWaitForResult(Loss Reason) {
   return Reason <= Loss::StoreBuffer;
@@ -58,7 +63,27 @@ struct ThreadStatistics {
   uint64_t Instructions = 0;
   /// Cycle after the thread's last instruction; 0 while it has not halted.
   uint64_t FinishCycle = 0;
-  /// Cycles lost by reason. Instructions plus their sum is the chip's cycles.
+  /// Instructions plus the sum of these is the chip's cycles.
+  LossCounts Lost{};
+};
+
+/// What happened at one word of the program's text, in all threads.
+struct TextStatistics {
+  Opcode Op = IllegalOpcode;
+  /// Instructions issued.
+  uint64_t Executed = 0;
+  /// Thread-cycles in which this instruction could not issue, or which it spent
+  /// as `barrier`, `sync`, `hostcall` or `sleep`; a taken branch's loss is at
+  /// its target.
+  LossCounts Lost{};
+};
+
+/// What happened at one instruction word of the text, over all threads.
+struct PcStatistics {
+  uint64_t Executed = 0;
+  /// Thread-cycles lost at it: to Loss::Branch, Barrier, Sync and Sleep behind
+  /// this instruction, to all others while it was the next to issue. A halted
+  /// thread is nowhere: Loss::Finished is 0.
   std::array<uint64_t, NumLosses> Lost{};
 };
 
@@ -75,13 +100,30 @@ struct Statistics {
   std::array<uint64_t, NumOpcodes> UnitConflict{};
   /// Passes of the profile marker instruction, by its immediate.
   std::vector<uint64_t> Markers;
+  /// One entry per word of the text.
+  std::vector<TextStatistics> Text;
   /// One entry per thread; the thread number is TM * TPs per TM + TP.
   std::vector<ThreadStatistics> Threads;
+  /// One entry per word of the program's text, in the order of addresses.
+  std::vector<PcStatistics> Pcs;
+  /// Loads, stores, atomics and stream operations that went to global memory.
+  uint64_t GlobalAccesses = 0;
+  /// Nothing if the chip has neither caches nor DRAM.
+  std::optional<MemoryStatistics> Memory;
 
   /// Sum of Executed.
   uint64_t instructions() const;
   /// Sum over the threads of one loss.
   uint64_t lost(Loss Reason) const;
+
+  /// What was counted between \p Earlier, a pause of the same run (or nothing
+  /// at all, for its start), and now.
+  /// ThreadStatistics::FinishCycle stays a cycle of the run, and maxima stay
+  /// those since its start.
+  Statistics since(const Statistics &Earlier) const;
+  /// Appends the counts of a later part of the same run; to nothing at all,
+  /// for a sum of parts.
+  Statistics &operator+=(const Statistics &Later);
 };
 
 } // namespace tp
