@@ -19,15 +19,20 @@ struct AreaPart {
   std::string Name;
   uint64_t Count = 0;
   double TotalMm2 = 0;
+  FigureSource Source;
 };
 
-/// Every part that the chip file gives an area for: the functional units in the
-/// order of Unit, then `register_file`, `local_store` and `icache`. Wires, the
-/// memory's controllers and what else the file does not know are not in it.
+/// Every part: the functional units in the order of Unit, then `register_file`,
+/// `local_store`, `icache`, and of those that the chip has `l1`, `l2` and
+/// `crossbar`. All are 0 if the chip names no technology. Wires, the memory's
+/// controllers and what else the table does not know are not in it.
 std::vector<AreaPart> chipArea(const ChipConfig &Chip);
 
 /// Sum of chipArea() in mm2.
 double totalAreaMm2(const ChipConfig &Chip);
+
+/// Caches of the L2 level; 0 if the chip has none.
+uint32_t l2Count(const ChipConfig &Chip);
 
 } // namespace tp
 

@@ -8,6 +8,7 @@
 #define TP_SIMULATOR_CHIP_CHIPCONFIG_H
 
 #include "simulator/chip/MemoryConfig.h"
+#include "simulator/chip/TechnologyConfig.h"
 #include "simulator/isa/Instructions.h"
 
 #include <array>
@@ -24,8 +25,6 @@ struct UnitConfig {
   /// Initiation interval in cycles; a unit with interval k starts operations
   /// only in cycles divisible by k.
   uint32_t Interval = 1;
-  /// mm2 of one unit.
-  double AreaMm2 = 0;
 };
 
 /// Everything that the engine and the reports need to know of a chip. Built
@@ -80,10 +79,8 @@ struct ChipConfig {
   /// latency is MemoryLatency, or 1 for the local store.
   std::array<uint32_t, NumLatencyClasses> Latency{};
 
-  /// mm2 per thread or TM, for the area table.
-  double RegisterFileAreaMm2 = 0;
-  double LocalStoreAreaMm2 = 0;
-  double IcacheAreaMm2 = 0;
+  /// For area and energy; a chip without it has neither.
+  std::optional<TechnologyConfig> Technology;
 
   uint32_t threadCount() const { return TmCount * TpsPerTm; }
 };

@@ -18,10 +18,12 @@ namespace tp {
 
 /// \p Base with other values: each of \p Settings is `<path>=<value>`, the path
 /// of a chip file's key such as `memory.latency_cycles`, and the value as the
-/// file would have it. Of two with one path the later counts. Errors name the
-/// setting and what would be right.
+/// file would have it; `none` takes an optional key or section out. Of two with
+/// one path the later counts. Files that a value names are looked for below
+/// \p Folders. Errors name the setting and what would be right.
 llvm::Expected<ChipConfig> withSettings(const ChipConfig &Base,
-                                        llvm::ArrayRef<std::string> Settings);
+                                        llvm::ArrayRef<std::string> Settings,
+                                        llvm::ArrayRef<std::string> Folders);
 
 } // namespace tp
 

@@ -7,6 +7,8 @@
 #ifndef TP_SIMULATOR_CHIP_MEMORYCONFIG_H
 #define TP_SIMULATOR_CHIP_MEMORYCONFIG_H
 
+#include "simulator/chip/TechnologyConfig.h"
+
 #include <cstdint>
 #include <string>
 
@@ -54,6 +56,19 @@ struct CrossbarConfig {
   uint32_t HeaderBytes = 8;
 };
 
+/// Energy of one channel of DRAM with its interface.
+struct DramEnergy {
+  FigureSource Source;
+  /// Of opening and closing a row.
+  double ActivateNj = 0;
+  /// Of one access of BurstBytes.
+  double ReadNj = 0;
+  double WriteNj = 0;
+  double RefreshNj = 0;
+  /// Of all that goes on without accesses, in watts.
+  double BackgroundW = 0;
+};
+
 /// A DRAM device family and its controller. All times that end in `Ticks` count
 /// cycles of the command clock (CK), those in `Cycles` cycles of the chip.
 struct DramConfig {
@@ -71,8 +86,12 @@ struct DramConfig {
   /// Bytes of one access, and ticks for which it holds the data bus.
   uint32_t BurstBytes = 32;
   uint32_t BurstTicks = 2;
-  /// Fields of an address from the highest to the lowest bit above a burst, of
-  /// `row`, `bank`, `bankgroup`, `column`, `channel`, separated by colons.
+  /// Command buses: 1, or 2 if row commands (activate, precharge, refresh) and
+  /// column commands (read, write) have one each. Each takes a command a tick.
+  uint32_t CommandBuses = 1;
+  /// Fields of an address from the highest to the lowest digit above a burst,
+  /// of `row`, `bank`, `bankgroup`, `column`, `channel`, separated by colons
+  /// (memory/dram/DramAddressMapping.h).
   std::string AddressMapping = "row:bank:column:bankgroup:channel";
 
   uint32_t RcdReadTicks = 0;
@@ -90,6 +109,8 @@ struct DramConfig {
   uint32_t RtpTicks = 0;
   uint32_t CcdShortTicks = 0;
   uint32_t CcdLongTicks = 0;
+  /// From a read command to a write command of any bank.
+  uint32_t RtwTicks = 0;
   uint32_t RfcTicks = 0;
   /// Between refreshes; 0: none.
   uint32_t RefiTicks = 0;
@@ -100,8 +121,12 @@ struct DramConfig {
   /// Writes are drained from the high mark down to the low one.
   uint32_t WriteHighMark = 48;
   uint32_t WriteLowMark = 16;
+  /// Row hits that may pass an older request to another row of their bank.
+  uint32_t RowHitLimit = 16;
   /// Cycles of the chip that controller and PHY add to each read.
   uint32_t ControllerCycles = 0;
+
+  DramEnergy Energy;
 };
 
 } // namespace tp

@@ -8,7 +8,7 @@
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
-#include "llvm/Support/Format.h"
+#include "llvm/Support/MathExtras.h"
 #include "llvm/Support/raw_ostream.h"
 
 #include <algorithm>
@@ -19,19 +19,17 @@ using namespace llvm;
 
 namespace tp {
 
-void YamlErrors::add(unsigned Line, const Twine &What) {
-  Found.emplace(Line, (Place(Line) + ": " + What).str());
+std::string YamlPlaces::of(unsigned Line) const {
+  const Place &P = Places[Line / LinesEach];
+  return P.HasLines ? P.Name + ":" + utostr(Line % LinesEach) : P.Name;
 }
 
-Error YamlErrors::take() {
+Error YamlErrors::take(const YamlPlaces &Places) {
   if (Found.empty())
     return Error::success();
   std::string All;
-  for (const auto &[Line, Message] : Found) {
-    if (!All.empty())
-      All += '\n';
-    All += Message;
-  }
+  for (const auto &[Line, Message] : Found)
+    All += (All.empty() ? "" : "\n") + Places.of(Line) + ": " + Message;
   return createStringError(All);
 }
 
@@ -44,16 +42,9 @@ std::string YamlSection::pathOf(StringRef Key) const {
   return Path.empty() ? Key.str() : Path + "." + Key.str();
 }
 
-const YamlEntry *YamlSection::find(StringRef Key) const {
-  for (const YamlEntry &Entry : Mapping.Entries)
-    if (Entry.Key == Key)
-      return &Entry;
-  return nullptr;
-}
-
-unsigned YamlSection::lineOf(StringRef Key) const {
-  const YamlEntry *Entry = find(Key);
-  return Entry ? Entry->Value.Line : Line;
+bool YamlSection::has(StringRef Key) {
+  Allowed.push_back(Key.str());
+  return Mapping.find(Key) != nullptr;
 }
 
 void YamlSection::missing(StringRef Key, const Twine &Wanted) {
@@ -76,7 +67,7 @@ void YamlSection::bad(const YamlEntry &Entry, const Twine &Wanted) {
 const YamlEntry *YamlSection::scalar(StringRef Key, const Twine &Wanted,
                                      Presence P) {
   Allowed.push_back(Key.str());
-  const YamlEntry *Entry = find(Key);
+  const YamlEntry *Entry = Mapping.find(Key);
   if (!Entry) {
     if (P == Presence::Required)
       missing(Key, Wanted);
@@ -89,85 +80,73 @@ const YamlEntry *YamlSection::scalar(StringRef Key, const Twine &Wanted,
   return Entry;
 }
 
-uint64_t YamlSection::integer(StringRef Key, uint64_t Min, uint64_t Max,
-                              uint64_t Default, Presence P) {
-  std::string Wanted =
-      "a whole number from " + utostr(Min) + " to " + utostr(Max);
-  const YamlEntry *Entry = scalar(Key, Wanted, P);
-  if (!Entry)
-    return Default;
-  uint64_t Value;
-  if (StringRef(Entry->Value.Text).getAsInteger(10, Value) || Value < Min ||
-      Value > Max) {
-    bad(*Entry, Wanted);
-    return Default;
-  }
-  return Value;
-}
-
-/// Reads `<number>` or `<number> KiB|MiB|GiB`.
-static std::optional<uint64_t> parseBytes(StringRef Text) {
+/// Reads `<number>` and, of bytes, `<number> KiB|MiB|GiB`.
+static std::optional<uint64_t> parseInteger(StringRef Text, bool IsBytes) {
   unsigned Shift = 0;
-  if (Text.consume_back("KiB"))
+  if (IsBytes && Text.consume_back("KiB"))
     Shift = 10;
-  else if (Text.consume_back("MiB"))
+  else if (IsBytes && Text.consume_back("MiB"))
     Shift = 20;
-  else if (Text.consume_back("GiB"))
+  else if (IsBytes && Text.consume_back("GiB"))
     Shift = 30;
+  if (Shift)
+    Text = Text.rtrim(' ');
   uint64_t Value;
-  if (Text.rtrim(' ').getAsInteger(10, Value) || Value > (UINT64_MAX >> Shift))
+  if (Text.getAsInteger(10, Value) || Value > (UINT64_MAX >> Shift))
     return std::nullopt;
   return Value << Shift;
 }
 
-uint64_t YamlSection::bytes(StringRef Key, uint64_t Min, uint64_t Max,
-                            uint64_t Multiple, Presence P) {
-  std::string Wanted = "a number of bytes from " + utostr(Min) + " to " +
-                       utostr(Max) + " (KiB, MiB and GiB may follow it)";
-  if (Multiple > 1)
-    Wanted += ", a multiple of " + utostr(Multiple);
+uint64_t YamlSection::integer(StringRef Key, const IntegerRange &Range,
+                              uint64_t Default, Presence P) {
+  std::string Wanted = rangeText(Range);
   const YamlEntry *Entry = scalar(Key, Wanted, P);
   if (!Entry)
-    return Min;
-  std::optional<uint64_t> Value = parseBytes(Entry->Value.Text);
-  if (!Value || *Value < Min || *Value > Max || *Value % Multiple != 0) {
+    return Default;
+  std::optional<uint64_t> Value =
+      parseInteger(Entry->Value.Text, Range.IsBytes);
+  if (!Value || *Value < Range.Min || *Value > Range.Max ||
+      *Value % Range.Multiple != 0 ||
+      (Range.PowerOfTwo && !isPowerOf2_64(*Value))) {
     bad(*Entry, Wanted);
-    return Min;
+    return Default;
   }
   return *Value;
 }
 
-double YamlSection::number(StringRef Key, double Min, double Max,
+double YamlSection::number(StringRef Key, const NumberRange &Range,
                            double Default, Presence P) {
-  std::string Wanted;
-  raw_string_ostream(Wanted)
-      << "a number from " << format("%g", Min) << " to " << format("%g", Max);
+  std::string Wanted = rangeText(Range);
   const YamlEntry *Entry = scalar(Key, Wanted, P);
   if (!Entry)
     return Default;
   double Value;
   if (StringRef(Entry->Value.Text).getAsDouble(Value) ||
-      !std::isfinite(Value) || Value < Min || Value > Max) {
+      !std::isfinite(Value) || Value < Range.Min || Value > Range.Max) {
     bad(*Entry, Wanted);
     return Default;
   }
   return Value;
 }
 
-bool YamlSection::boolean(StringRef Key, bool Default) {
-  const char *Wanted = "true or false";
-  const YamlEntry *Entry = scalar(Key, Wanted, Presence::Optional);
+unsigned YamlSection::choice(StringRef Key, ArrayRef<StringRef> Names,
+                             unsigned Default, Presence P) {
+  std::string Wanted = join(Names, " or ");
+  const YamlEntry *Entry = scalar(Key, Wanted, P);
   if (!Entry)
     return Default;
-  if (Entry->Value.Text != "true" && Entry->Value.Text != "false") {
+  const StringRef *Name = find(Names, Entry->Value.Text);
+  if (Name == Names.end()) {
     bad(*Entry, Wanted);
     return Default;
   }
-  return Entry->Value.Text == "true";
+  return unsigned(Name - Names.begin());
 }
 
-std::string YamlSection::text(StringRef Key) {
-  const YamlEntry *Entry = scalar(Key, "a text", Presence::Optional);
+std::string YamlSection::text(StringRef Key, Presence P) {
+  const YamlEntry *Entry = scalar(Key, "a text", P);
+  if (Entry && P == Presence::Required && Entry->Value.Text.empty())
+    bad(*Entry, "a text");
   return Entry ? Entry->Value.Text : "";
 }
 
@@ -178,7 +157,7 @@ YamlSection YamlSection::section(StringRef Key, Presence P) {
     return Value;
   }();
   Allowed.push_back(Key.str());
-  const YamlEntry *Entry = find(Key);
+  const YamlEntry *Entry = Mapping.find(Key);
   if (!Entry) {
     if (P == Presence::Required)
       missing(Key, "a section of `key: value` lines");

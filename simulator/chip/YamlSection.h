@@ -7,43 +7,63 @@
 #ifndef TP_SIMULATOR_CHIP_YAMLSECTION_H
 #define TP_SIMULATOR_CHIP_YAMLSECTION_H
 
+#include "simulator/chip/ChipSchema.h"
 #include "simulator/chip/YamlTree.h"
 
 #include "llvm/ADT/SmallVector.h"
 #include "llvm/ADT/Twine.h"
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace tp {
 
-/// Collects what is wrong with a file, so that all of it is reported at once.
-class YamlErrors {
+/// Numbers the lines of several files, so that one number tells file and line.
+class YamlPlaces {
 public:
-  /// Errors begin with `<FileName>:<line>`.
-  explicit YamlErrors(llvm::StringRef FileName)
-      : Place([Name = FileName.str()](unsigned Line) {
-          return Name + ":" + std::to_string(Line);
-        }) {}
-  /// Errors begin with what \p PlaceOfLine says of their line.
-  explicit YamlErrors(std::function<std::string(unsigned Line)> PlaceOfLine)
-      : Place(std::move(PlaceOfLine)) {}
-
-  void add(unsigned Line, const llvm::Twine &What);
-  /// All errors, a line each, in the order of the file's lines; success if
-  /// there are none.
-  llvm::Error take();
+  /// What to add to the lines of a file called \p Name.
+  unsigned addFile(llvm::StringRef Name) {
+    return add(Name, /*HasLines=*/true);
+  }
+  /// The line that stands for \p Name, which is no file.
+  unsigned addText(llvm::StringRef Name) {
+    return add(Name, /*HasLines=*/false);
+  }
+  /// `<name>:<line>` of a file, or the text.
+  std::string of(unsigned Line) const;
 
 private:
-  std::function<std::string(unsigned Line)> Place;
+  static constexpr unsigned LinesEach = 1u << 20;
+  struct Place {
+    std::string Name;
+    bool HasLines;
+  };
+  std::vector<Place> Places;
+
+  unsigned add(llvm::StringRef Name, bool HasLines) {
+    Places.push_back({Name.str(), HasLines});
+    return unsigned(Places.size() - 1) * LinesEach;
+  }
+};
+
+/// Collects what is wrong with a file and those it names, so that all of it is
+/// reported at once.
+class YamlErrors {
+public:
+  void add(unsigned Line, const llvm::Twine &What) {
+    Found.emplace(Line, What.str());
+  }
+  bool empty() const { return Found.empty(); }
+  /// All errors, a line each with its place, in the order of the files' lines;
+  /// success if there are none.
+  llvm::Error take(const YamlPlaces &Places);
+
+private:
   /// By line; errors of one line in the order in which they were found.
   std::multimap<unsigned, std::string> Found;
 };
-
-/// Whether a key may be left out.
-enum class Presence { Required, Optional };
 
 /// A mapping of a YAML file whose keys are fetched by name. The keys that were
 /// asked for are the allowed ones: finish() refuses all others. A value that
@@ -56,24 +76,19 @@ public:
   YamlSection(YamlErrors &Errors, const YamlValue &Mapping, unsigned Line,
               std::string Path, bool Absent = false);
 
-  /// A whole number in [Min, Max]. Sizes accept `KiB`, `MiB` and `GiB` behind
-  /// the number.
-  uint64_t integer(llvm::StringRef Key, uint64_t Min, uint64_t Max,
-                   uint64_t Default, Presence P = Presence::Required);
-  uint64_t bytes(llvm::StringRef Key, uint64_t Min, uint64_t Max,
-                 uint64_t Multiple, Presence P = Presence::Required);
-  /// A decimal number in [Min, Max].
-  double number(llvm::StringRef Key, double Min, double Max, double Default,
-                Presence P = Presence::Required);
-  bool boolean(llvm::StringRef Key, bool Default);
-  std::string text(llvm::StringRef Key);
+  uint64_t integer(llvm::StringRef Key, const IntegerRange &Range,
+                   uint64_t Default, Presence P);
+  double number(llvm::StringRef Key, const NumberRange &Range, double Default,
+                Presence P);
+  /// Index of the one of \p Names.
+  unsigned choice(llvm::StringRef Key, llvm::ArrayRef<llvm::StringRef> Names,
+                  unsigned Default, Presence P);
+  std::string text(llvm::StringRef Key, Presence P);
   /// A mapping. If it is missing, an empty one, reported once if required.
-  YamlSection section(llvm::StringRef Key, Presence P = Presence::Required);
+  YamlSection section(llvm::StringRef Key, Presence P);
 
-  /// Line of the value of \p Key, or of the section if it has no such key.
-  unsigned lineOf(llvm::StringRef Key) const;
-  /// True if the file gives \p Key.
-  bool has(llvm::StringRef Key) const { return find(Key) != nullptr; }
+  /// True if the file gives \p Key. Counts as asking for it.
+  bool has(llvm::StringRef Key);
 
   /// Reports every key that no other function was called with.
   void finish();
@@ -86,7 +101,6 @@ private:
   bool Absent;
   llvm::SmallVector<std::string, 16> Allowed;
 
-  const YamlEntry *find(llvm::StringRef Key) const;
   const YamlEntry *scalar(llvm::StringRef Key, const llvm::Twine &Wanted,
                           Presence P);
   void missing(llvm::StringRef Key, const llvm::Twine &Wanted);

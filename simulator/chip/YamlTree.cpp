@@ -114,6 +114,27 @@ private:
 
 } // namespace
 
+YamlEntry *YamlValue::find(StringRef Key) {
+  for (YamlEntry &Entry : Entries)
+    if (Entry.Key == Key)
+      return &Entry;
+  return nullptr;
+}
+
+YamlEntry *findPath(YamlValue &Mapping, StringRef Path) {
+  auto [Key, Rest] = Path.split('.');
+  YamlEntry *Entry = Mapping.find(Key);
+  return Entry && !Rest.empty() ? findPath(Entry->Value, Rest) : Entry;
+}
+
+void shiftLines(YamlValue &Value, unsigned Offset) {
+  Value.Line += Offset;
+  for (YamlEntry &Entry : Value.Entries) {
+    Entry.Line += Offset;
+    shiftLines(Entry.Value, Offset);
+  }
+}
+
 Expected<YamlValue> parseYaml(StringRef Text, StringRef FileName) {
   return TreeBuilder(Text, FileName).build();
 }

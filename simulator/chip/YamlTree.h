@@ -28,6 +28,12 @@ struct YamlValue {
   std::string Text;
   /// The entries of a mapping, in the order of the file.
   std::vector<YamlEntry> Entries;
+
+  /// The entry of this mapping with \p Key, or null.
+  YamlEntry *find(llvm::StringRef Key);
+  const YamlEntry *find(llvm::StringRef Key) const {
+    return const_cast<YamlValue *>(this)->find(Key);
+  }
 };
 
 /// A key of a mapping with its value.
@@ -36,6 +42,16 @@ struct YamlEntry {
   unsigned Line = 1;
   YamlValue Value;
 };
+
+/// The entry of \p Mapping at \p Path, keys with dots between them, or null.
+YamlEntry *findPath(YamlValue &Mapping, llvm::StringRef Path);
+inline const YamlEntry *findPath(const YamlValue &Mapping,
+                                 llvm::StringRef Path) {
+  return findPath(const_cast<YamlValue &>(Mapping), Path);
+}
+
+/// Adds \p Offset to all lines of \p Value.
+void shiftLines(YamlValue &Value, unsigned Offset);
 
 /// Reads the one document of \p Text, whose outermost value must be a mapping
 /// and whose mappings must not repeat a key. Items of sequences are not kept.

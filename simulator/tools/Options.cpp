@@ -6,7 +6,7 @@
 
 #include "simulator/tools/Options.h"
 
-#include "simulator/chip/ChipFile.h"
+#include "simulator/chip/ChipLimits.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Option/Arg.h"

@@ -37,10 +37,11 @@ static Expected<int> run(int Argc, char **Argv) {
     outs() << "tpsim " TP_VERSION "\n";
     return 0;
   }
-  Expected<tp::ChipConfig> Chip =
-      tp::loadChip(Request->Chip, chipFolder(Argv[0]));
+  std::string ChipFolder = chipFolder(Argv[0]);
+  Expected<tp::ChipConfig> Chip = tp::loadChip(Request->Chip, ChipFolder);
   if (Chip && !Request->ChipSettings.empty())
-    Chip = tp::withSettings(*Chip, Request->ChipSettings);
+    Chip = tp::withSettings(*Chip, Request->ChipSettings,
+                            tp::foldersOfChip(Request->Chip, ChipFolder));
   if (!Chip)
     return Chip.takeError();
   if (Request->PrintChip) {

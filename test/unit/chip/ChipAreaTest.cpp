@@ -17,10 +17,16 @@ TEST(ChipArea, CountsUnitsPerTmAndStoresPerThread) {
   ChipConfig Chip;
   Chip.TmCount = 3;
   Chip.TpsPerTm = 5;
-  Chip.Units[unsigned(Unit::FPMUL)] = {4, 1, 0.5};
-  Chip.RegisterFileAreaMm2 = 0.25;
-  Chip.LocalStoreAreaMm2 = 0.125;
-  Chip.IcacheAreaMm2 = 2;
+  Chip.Units[unsigned(Unit::FPMUL)].Count = 4;
+  Chip.LocalStoreBytes = 4096;
+  TechnologyConfig T;
+  T.Units[unsigned(Unit::FPMUL)].AreaMm2 = 0.5;
+  T.RegisterFile.AreaMm2 = 0.25;
+  T.LocalStore = {4096, {0.125, 0, {}}};
+  T.IcacheBytes = 4096;
+  T.IcachePorts = 2;
+  T.Icache[3].AreaMm2 = 2;
+  Chip.Technology = T;
   std::vector<AreaPart> Parts = chipArea(Chip);
   ASSERT_EQ(Parts.size(), NumUnits + 3);
   EXPECT_EQ(Parts[unsigned(Unit::FPMUL)].Name, "FPMUL");
@@ -30,6 +36,13 @@ TEST(ChipArea, CountsUnitsPerTmAndStoresPerThread) {
   EXPECT_EQ(Parts[NumUnits + 1].TotalMm2, 15 * 0.125);
   EXPECT_EQ(Parts[NumUnits + 2].TotalMm2, 6);
   EXPECT_EQ(totalAreaMm2(Chip), 6 + 15 * 0.375 + 6);
+}
+
+TEST(ChipArea, IsNothingWithoutATechnology) {
+  ChipConfig Chip;
+  Chip.L1 = CacheConfig{.Bytes = 4096};
+  ASSERT_EQ(chipArea(Chip).size(), NumUnits + 4);
+  EXPECT_EQ(totalAreaMm2(Chip), 0);
 }
 
 // Per TM, by SimTRaX's table: units 4 x .003 + 4 x .000722 + 4 x .000722 +

@@ -19,27 +19,24 @@ namespace {
 std::string goodChip() {
   std::string Text = R"(description: "a test's chip"
 clock_ghz: 1.5
-tm_count: 2
-tps_per_tm: 4
+tm:
+  count: 2
+  tps: 4
 arbitration_window_cycles: 20
 memory:
   bytes: 64 MiB
   latency_cycles: 50
 local_store:
   bytes: 4096
-  area_mm2: 0.5
-register_file:
-  area_mm2: 0.25
 icache:
   banks: 8
   ports_per_bank: 2
   bytes: 4 KiB
-  area_mm2: 0.125
 units:
 )";
   for (unsigned I = 0; I != NumUnits; ++I)
     Text += "  " + std::string(unitName(Unit(I))) +
-            ": {count: " + std::to_string(I + 1) + ", area_mm2: 0.001}\n";
+            ": {count: " + std::to_string(I + 1) + "}\n";
   return Text;
 }
 
@@ -69,17 +66,13 @@ TEST(ChipFile, ReadsEveryValue) {
   EXPECT_EQ(Chip->MemoryBytes, 64u << 20);
   EXPECT_EQ(Chip->MemoryLatency, 50u);
   EXPECT_EQ(Chip->LocalStoreBytes, 4096u);
-  EXPECT_EQ(Chip->LocalStoreAreaMm2, 0.5);
-  EXPECT_EQ(Chip->RegisterFileAreaMm2, 0.25);
   EXPECT_EQ(Chip->IcacheBanks, 8u);
   EXPECT_EQ(Chip->IcachePorts, 2u);
   EXPECT_EQ(Chip->IcacheBytes, 4096u);
-  EXPECT_EQ(Chip->IcacheAreaMm2, 0.125);
   EXPECT_FALSE(Chip->FlushToZero);
   for (unsigned I = 0; I != NumUnits; ++I) {
     EXPECT_EQ(Chip->Units[I].Count, I + 1);
     EXPECT_EQ(Chip->Units[I].Interval, 1u);
-    EXPECT_EQ(Chip->Units[I].AreaMm2, 0.001);
   }
   for (unsigned I = 0; I != NumLatencyClasses; ++I)
     EXPECT_EQ(Chip->Latency[I], defaultLatency(LatencyClass(I)));
@@ -108,14 +101,14 @@ TEST(ChipFile, NamesLineAndCureOfUnknownKeys) {
                         "'clock_ghz'?"));
   EXPECT_THAT(errorWith("FPADD: {", "FPADD: {colour: 3, "),
               HasSubstr("unknown key 'units.FPADD.colour' (allowed here: "
-                        "count, interval_cycles, area_mm2)"));
+                        "count, interval_cycles)"));
 }
 
 TEST(ChipFile, ReportsAllErrorsByLine) {
-  std::string Error =
-      errorWith("clock_ghz: 1.5\ntm_count: 2", "clock_ghz: fast\ntm_count: 0");
+  std::string Error = errorWith("clock_ghz: 1.5\ntm:\n  count: 2",
+                                "clock_ghz: fast\ntm:\n  count: 0");
   size_t First = Error.find("c.yaml:2: 'clock_ghz' is 'fast'");
-  size_t Second = Error.find("c.yaml:3: 'tm_count' is '0'");
+  size_t Second = Error.find("c.yaml:4: 'tm.count' is '0'");
   EXPECT_NE(First, std::string::npos) << Error;
   EXPECT_NE(Second, std::string::npos) << Error;
   EXPECT_LT(First, Second);
@@ -130,12 +123,12 @@ TEST(ChipFile, ReportsAMissingSectionOnce) {
 
 TEST(ChipFile, RefusesValuesOutOfRange) {
   const char *Cases[][3] = {
-      {"tm_count: 2", "tm_count: -1", "'tm_count' is '-1'"},
-      {"tm_count: 2", "tm_count: 2.5", "'tm_count' is '2.5'"},
-      {"tm_count: 2", "tm_count:", "'tm_count' is nothing"},
-      {"tm_count: 2", "tm_count: [2]", "'tm_count' is a list"},
-      {"tm_count: 2", "tm_count: {a: 2}", "'tm_count' is a section"},
-      {"tm_count: 2", "tm_count: 1048576", "more than the 1048576 threads"},
+      {"count: 2\n", "count: -1\n", "\'tm.count\' is '-1'"},
+      {"count: 2\n", "count: 2.5\n", "\'tm.count\' is '2.5'"},
+      {"count: 2\n", "count:\n", "\'tm.count\' is nothing"},
+      {"count: 2\n", "count: [2]\n", "\'tm.count\' is a list"},
+      {"count: 2\n", "count: {a: 2}\n", "\'tm.count\' is a section"},
+      {"count: 2\n", "count: 1048576\n", "more than the 1048576 threads"},
       {"clock_ghz: 1.5", "clock_ghz: 0", "'clock_ghz' is '0'"},
       {"clock_ghz: 1.5", "clock_ghz: nan", "'clock_ghz' is 'nan'"},
       {"arbitration_window_cycles: 20", "arbitration_window_cycles: 51",
@@ -146,9 +139,9 @@ TEST(ChipFile, RefusesValuesOutOfRange) {
       {"bytes: 64 MiB", "bytes: 64 KiB", "'memory.bytes' is '64 KiB'"},
       {"bytes: 64 MiB", "bytes: 99999999999999 GiB", "'memory.bytes' is"},
       {"bytes: 64 MiB", "bytes: 64 MB", "'memory.bytes' is '64 MB'"},
-      {"banks: 8", "banks: 6", "give it a power of two"},
-      {"count: 1,", "count: 0,", "is '0'; give it a whole number from 1"},
-      {"area_mm2: 0.5", "area_mm2: -0.5", "'local_store.area_mm2' is '-0.5'"},
+      {"banks: 8", "banks: 6", "1 to 64, a power of two"},
+      {"FPADD: {count: 1", "FPADD: {count: 0",
+       "is '0'; give it a whole number from 1"},
   };
   for (auto &[From, To, Message] : Cases)
     EXPECT_THAT(errorWith(From, To), HasSubstr(Message)) << To;
@@ -156,8 +149,7 @@ TEST(ChipFile, RefusesValuesOutOfRange) {
 
 TEST(ChipFile, RefusesAUnitThatIsMissing) {
   std::string Line =
-      "  FPINV: {count: " + std::to_string(unsigned(Unit::FPINV) + 1) +
-      ", area_mm2: 0.001}\n";
+      "  FPINV: {count: " + std::to_string(unsigned(Unit::FPINV) + 1) + "}\n";
   EXPECT_THAT(errorWith(Line, ""), HasSubstr("key 'units.FPINV' is missing"));
 }
 
