@@ -22,12 +22,18 @@ static ThreadStatistics summarizeThread(const Thread &T, uint64_t NextCycle,
   bool Ended = T.State != ThreadState::Running;
   uint64_t Accounted = Ended ? T.EndCycle : NextCycle;
   Result.Instructions = Accounted - T.totalLost();
-  if (Accounted < Cycles)
-    Result.Lost[unsigned(lossAfterEnd(T.State))] += Cycles - Accounted;
+  LossCounts &LostAt = Sum.Pcs[T.LastWord].Lost;
+  if (Accounted < Cycles) {
+    Loss Reason = lossAfterEnd(T.State);
+    Result.Lost[unsigned(Reason)] += Cycles - Accounted;
+    if (Reason != Loss::Finished)
+      LostAt[unsigned(Reason)] += Cycles - Accounted;
+  }
   if (Accounted > Cycles) {
     // Only the last charge of a thread reaches beyond the window.
     uint64_t Beyond = Accounted - Cycles;
     Result.Lost[unsigned(T.LastLoss)] -= Beyond;
+    LostAt[unsigned(T.LastLoss)] -= Beyond;
     if (isWaitForResult(T.LastLoss))
       Sum.DataStall[unsigned(T.LastProducer)] -= Beyond;
   }
@@ -38,15 +44,20 @@ static ThreadStatistics summarizeThread(const Thread &T, uint64_t NextCycle,
 
 Statistics summarize(std::span<const Thread> Threads,
                      std::span<const uint64_t> NextCycles, uint64_t Cycles,
-                     std::span<const TmRunnerState *const> Counters) {
+                     std::span<const TmRunnerState *const> Counters,
+                     std::span<const Opcode> Opcodes) {
   Statistics Sum;
   Sum.Cycles = Cycles;
+  Sum.Pcs.resize(Opcodes.size());
   for (const TmRunnerState *Counter : Counters) {
-    for (unsigned I = 0; I != NumOpcodes; ++I) {
-      Sum.Executed[I] += Counter->Executed[I];
-      Sum.DataStall[I] += Counter->DataStall[I];
-      Sum.UnitConflict[I] += Counter->UnitConflict[I];
+    for (size_t I = 0; I != Opcodes.size(); ++I) {
+      Sum.Pcs[I].Executed += Counter->ExecutedAt[I];
+      for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
+        Sum.Pcs[I].Lost[Reason] += Counter->LostAt[I][Reason];
     }
+    for (unsigned I = 0; I != NumOpcodes; ++I)
+      Sum.DataStall[I] += Counter->DataStall[I];
+    Sum.GlobalAccesses += Counter->GlobalAccesses;
     const std::vector<uint64_t> &Markers = Counter->Markers;
     Sum.Markers.resize(std::max(Sum.Markers.size(), Markers.size()));
     for (size_t I = 0; I != Markers.size(); ++I)
@@ -55,6 +66,14 @@ Statistics summarize(std::span<const Thread> Threads,
   for (size_t I = 0; I != Threads.size(); ++I)
     Sum.Threads.push_back(
         summarizeThread(Threads[I], NextCycles[I], Cycles, Sum));
+  for (size_t I = 0; I != Opcodes.size(); ++I) {
+    if (Opcodes[I] == IllegalOpcode)
+      continue;
+    const PcStatistics &Pc = Sum.Pcs[I];
+    unsigned Op = unsigned(Opcodes[I]);
+    Sum.Executed[Op] += Pc.Executed;
+    Sum.UnitConflict[Op] += Pc.Lost[unsigned(Loss::UnitConflict)];
+  }
   return Sum;
 }
 

@@ -19,10 +19,11 @@ namespace tp {
 /// The statistics of a run of \p Cycles cycles: the sum of what the host
 /// threads counted, and per thread its losses, without those beyond the end.
 /// \p NextCycles are the cycles up to which the threads have been accounted
-/// for, NeverCycle if their EndCycle says it.
+/// for, NeverCycle if their EndCycle says it; \p Opcodes is the text.
 Statistics summarize(std::span<const Thread> Threads,
                      std::span<const uint64_t> NextCycles, uint64_t Cycles,
-                     std::span<const TmRunnerState *const> Counters);
+                     std::span<const TmRunnerState *const> Counters,
+                     std::span<const Opcode> Opcodes);
 
 } // namespace tp
 

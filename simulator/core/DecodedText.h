@@ -11,18 +11,9 @@
 #include "simulator/core/Program.h"
 #include "simulator/core/ResourceLayout.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace tp {
-
-/// True for an instruction that computes the stack pointer from itself, as
-/// those of a function's frame do.
-inline bool movesStackPointer(const Instruction &Decoded) {
-  return Decoded.Destination == StackPointerRegister &&
-         std::ranges::find(Decoded.Source, StackPointerRegister) !=
-             std::end(Decoded.Source);
-}
 
 /// The text with the handler of each instruction, one slot per word and one
 /// behind it.

@@ -7,7 +7,8 @@
 #ifndef TP_SIMULATOR_CORE_EXECUTIONCONTEXT_H
 #define TP_SIMULATOR_CORE_EXECUTIONCONTEXT_H
 
-#include "simulator/core/LocalStore.h"
+#include "simulator/core/ContextFloats.h"
+#include "simulator/core/SpecialRegisters.h"
 #include "simulator/core/TmRunner.h"
 #include "simulator/isa/Bodies.h"
 
@@ -18,9 +19,8 @@ namespace tp {
 /// The context of one instruction in the cycle model (see Bodies.h). It lives
 /// in registers of the host: what a body does not use costs nothing.
 template <Opcode Op, Subnormals Mode>
-class ExecutionContext : public FloatRules<Mode> {
-  using Rules = FloatRules<Mode>;
-
+class ExecutionContext
+    : public ContextFloats<ExecutionContext<Op, Mode>, Mode> {
 public:
   /// What becomes of the thread after the instruction.
   enum class Outcome : uint8_t {
@@ -44,6 +44,7 @@ public:
         ResultReady(ReadyWord(Cycle << ready::CycleShift) + Result) {}
 
   Outcome outcome() const { return Kind; }
+  bool hasTrapped() const { return Kind == Outcome::Trap; }
   /// Number of the next instruction in the text after Outcome::Branch.
   uint32_t targetWord() const { return TargetWord; }
   TrapKind trapReason() const { return TrapReason; }
@@ -59,17 +60,6 @@ public:
     Kind = Outcome::Trap;
     TrapReason = Reason;
     Address = DataAddress;
-  }
-
-  float operand(float Value) {
-    if constexpr (Mode == Subnormals::Trap)
-      trapIfSubnormal(TrapKind::SubnormalOperand, Value);
-    return Rules::operand(Value);
-  }
-  float result(float Value) {
-    if constexpr (Mode == Subnormals::Trap)
-      trapIfSubnormal(TrapKind::SubnormalResult, Value);
-    return Rules::result(Value);
   }
 
   void branch(int32_t Offset) { jump(Pc + uint32_t(Offset)); }
@@ -90,8 +80,9 @@ public:
       ResultReady = readyAfter(LocalStoreLatency, false);
       return hostLoad<T>(localPointer(At));
     }
-    if (!isGlobal(At)) [[unlikely]]
-      return trapBadAddress(At), T();
+    if (!Runner.Chip.isGlobal(At)) [[unlikely]]
+      return trap(AddressSpace::badAddress(At), At), T();
+    ++Runner.GlobalAccesses;
     ResultReady = readyAfter(Runner.Chip.MemoryLatency, true);
     T Value = hostLoad<T>(Runner.Chip.Global + At);
     if (Runner.OwnWords & Runner.wordBit(At)) [[unlikely]] {
@@ -114,8 +105,9 @@ public:
       std::memcpy(localPointer(At), &Value, sizeof(T));
       return;
     }
-    if (!isWritable(At)) [[unlikely]]
-      return trapBadStore(At);
+    if (!Runner.Chip.isWritable(At)) [[unlikely]]
+      return trap(Runner.Chip.badStore(At), At);
+    ++Runner.GlobalAccesses;
     GlobalAccess &Access = log(GlobalAccess::Store, At, Value);
     Access.Bytes = sizeof(T);
     Runner.OwnWords |= Runner.wordBit(At);
@@ -132,9 +124,10 @@ public:
       ResultReady = readyAfter(LocalStoreLatency, false);
       return Old;
     }
-    if (!isWritable(At)) [[unlikely]]
-      return trapBadStore(At), 0;
+    if (!Runner.Chip.isWritable(At)) [[unlikely]]
+      return trap(Runner.Chip.badStore(At), At), 0;
     defer(readyAfter(Runner.Chip.MemoryLatency, true));
+    ++Runner.GlobalAccesses;
     GlobalAccess &Access = log(GlobalAccess::Atomic, At, Operand);
     Access.AtomicOperation = Function;
     Access.Extra = Expected;
@@ -148,9 +141,10 @@ public:
       return trap(TrapKind::MisalignedAccess, Descriptor), 0;
     if (isLocal(Descriptor))
       return trap(TrapKind::BadStream, Descriptor), 0;
-    if (!isWritable(Descriptor))
-      return trapBadStore(Descriptor), 0;
+    if (!Runner.Chip.isWritable(Descriptor))
+      return trap(Runner.Chip.badStore(Descriptor), Descriptor), 0;
     defer(readyAfter(Runner.Chip.MemoryLatency, true));
+    ++Runner.GlobalAccesses;
     GlobalAccess &Access = log(GlobalAccess::Stream, Descriptor, Value);
     Access.StreamOperation = Function;
     Runner.OwnWords = ~uint64_t(0);
@@ -181,6 +175,7 @@ public:
   void barrier() {
     T.State = ThreadState::AtBarrier;
     T.EndCycle = now() + 1;
+    T.LastWord = (Pc - Runner.Chip.TextBegin) / 4;
     ++Runner.Arrived;
     leaveUntil(NeverCycle);
   }
@@ -193,11 +188,7 @@ public:
     leaveUntil(NeverCycle);
   }
 
-  void marker(uint32_t Number) {
-    if (Number >= Runner.Markers.size())
-      Runner.Markers.resize(Number + 1);
-    ++Runner.Markers[Number];
-  }
+  void marker(uint32_t Number) { Runner.countMarker(Number); }
 
   void profileValue(uint32_t Marker, uint32_t Value) {
     if (Runner.Chip.Observer)
@@ -205,41 +196,12 @@ public:
   }
 
   uint32_t special(SpecialRegister Register) const {
-    const ChipConfig &Chip = *Runner.Chip.Chip;
-    switch (Register) {
-    case SpecialRegister::thread:
-      return T.Number;
-    case SpecialRegister::tp:
-      return T.Number % Chip.TpsPerTm;
-    case SpecialRegister::tm:
-      return T.Number / Chip.TpsPerTm;
-    case SpecialRegister::nthread:
-      return Chip.threadCount();
-    case SpecialRegister::ntp:
-      return Chip.TpsPerTm;
-    case SpecialRegister::ntm:
-      return Chip.TmCount;
-    case SpecialRegister::lssize:
-      return Chip.LocalStoreBytes;
-    case SpecialRegister::cycle:
-      return uint32_t(now());
-    case SpecialRegister::cycleh:
-      return uint32_t(now() >> 32);
-    case SpecialRegister::instret:
-      return uint32_t(now() - T.totalLost());
-    case SpecialRegister::instreth:
-      return uint32_t((now() - T.totalLost()) >> 32);
-    }
-    __builtin_unreachable();
+    auto Now = [this] { return now(); };
+    return readSpecial(Register, *Runner.Chip.Chip, T.Number, Now,
+                       [&] { return now() - T.totalLost(); });
   }
 
 private:
-  void trapIfSubnormal(TrapKind Reason, float Value) {
-    bool IsSubnormal = Value != 0 && isBelowNormal(Value);
-    if (IsSubnormal && Kind != Outcome::Trap)
-      trap(Reason, toBits(Value));
-  }
-
   uint64_t now() const { return Runner.Epoch + Cycle; }
 
   ReadyWord readyAfter(uint32_t Latency, bool FromGlobal) const {
@@ -247,16 +209,7 @@ private:
            ready::after(Latency, Op, FromGlobal);
   }
 
-  bool isLocal(uint32_t At) const {
-    return At - Runner.Chip.LocalBegin < Runner.Chip.LocalBytes;
-  }
-  bool isGlobal(uint32_t At) const {
-    return At - kGlobalMemoryBegin < Runner.Chip.GlobalBytes;
-  }
-  bool isReadOnly(uint32_t At) const {
-    return At - Runner.Chip.TextBegin < Runner.Chip.ReadOnlyBytes;
-  }
-  bool isWritable(uint32_t At) const { return isGlobal(At) && !isReadOnly(At); }
+  bool isLocal(uint32_t At) const { return Runner.Chip.isLocal(At); }
   uint8_t *localPointer(uint32_t At) const {
     return reinterpret_cast<uint8_t *>(T.LocalStoreBias + At);
   }
@@ -267,18 +220,6 @@ private:
     return Value;
   }
 
-  void trapBadAddress(uint32_t At) {
-    trap(At < kGlobalMemoryBegin ? TrapKind::NullAccess
-                                 : TrapKind::AddressOutOfRange,
-         At);
-  }
-  void trapBadStore(uint32_t At) {
-    if (isGlobal(At))
-      trap(TrapKind::StoreToReadOnly, At);
-    else
-      trapBadAddress(At);
-  }
-
   /// The result comes with the window's commit.
   void defer(ReadyWord When) {
     ResultReady = When;
@@ -287,7 +228,7 @@ private:
 
   GlobalAccess &log(GlobalAccess::AccessKind AccessKind, uint32_t At,
                     uint32_t Value) {
-    GlobalAccess &Access = Runner.Log.emplace_back();
+    GlobalAccess &Access = Runner.appendToLog();
     Access.Key = Runner.keyAt(Cycle);
     Access.Owner = &T;
     Access.Address = At;
@@ -300,8 +241,7 @@ private:
   }
 
   void charge(Loss Reason, uint64_t Cycles) {
-    T.Lost[unsigned(Reason)] += Cycles;
-    T.LastLoss = Reason;
+    Runner.charge(T, (Pc - Runner.Chip.TextBegin) / 4, Reason, Cycles);
   }
 
   void leaveUntil(uint64_t NextCycle) {

@@ -82,8 +82,11 @@ private:
       return deliver<Op>;
   }
 
+  static uint32_t wordOf(const Slot<Word> *S, const TmRunner<Word> *R) {
+    return uint32_t(S - R->Slots);
+  }
   static uint32_t pcOf(const Slot<Word> *S, const TmRunner<Word> *R) {
-    return R->Chip.TextBegin + uint32_t(S - R->Slots) * 4;
+    return R->Chip.TextBegin + wordOf(S, R) * 4;
   }
 
   template <unsigned Count>
@@ -118,7 +121,7 @@ private:
       return block(T, S, Cycle, R, C.blocker());
 
     Free[Cycle] = Used;
-    ++R->Executed[unsigned(Op)];
+    ++R->ExecutedAt[wordOf(S, R)];
     if constexpr (Instruction::HasDestination) {
       if (!C.keepsDestination()) {
         T->Ready[Destination] = C.resultReady();
@@ -132,9 +135,12 @@ private:
       return;
     }
     if (C.outcome() == Outcome::Branch) {
+      uint32_t BranchWord = wordOf(S, R);
       S = R->Slots + C.targetWord();
-      if (R->Chip.BranchLatency != 1) [[unlikely]]
+      if (R->Chip.BranchLatency != 1) [[unlikely]] {
+        T->LastWord = BranchWord;
         TP_TAIL_CALL waitForTarget(TP_HANDLER_ARGUMENTS);
+      }
     } else {
       ++S;
     }
@@ -168,7 +174,7 @@ private:
     const uint32_t StackPointer = T->Registers[StackPointerRegister];
     if (StackPointer >= R->Chip.StackLimit) [[likely]]
       TP_TAIL_CALL of(S->Instruction.Op)(TP_HANDLER_ARGUMENTS);
-    if (Cycle >= R->End)
+    if (Cycle >= R->Limit)
       return leave(T, S, Cycle, R);
     stopAtTrap(T, R, pcOf(S - 1, R), Cycle, TrapKind::StackOverflow,
                StackPointer);
@@ -177,7 +183,7 @@ private:
   template <TrapKind Reason>
   __attribute__((preserve_none)) static void
   trapAtFetch(TP_HANDLER_PARAMETERS) {
-    if (Cycle >= R->End)
+    if (Cycle >= R->Limit)
       return leave(T, S, Cycle, R);
     stopAtTrap(T, R, pcOf(S, R), Cycle, Reason, pcOf(S, R));
   }
@@ -187,48 +193,48 @@ private:
     ReadyWord Latest = latestSource<3>(T, S);
     uint64_t Lost = ready::cycleOf(Latest) - Cycle;
     bool FromGlobal = Latest & ready::FromGlobalMemory;
-    chargeData(T, R, FromGlobal ? Loss::Memory : Loss::Data,
+    chargeData(T, S, R, FromGlobal ? Loss::Memory : Loss::Data,
                ready::producerOf(Latest), Lost);
     Cycle += Lost;
-    if (Cycle >= R->End)
+    if (Cycle >= R->Limit)
       return leave(T, S, Cycle, R);
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
   }
 
   __attribute__((preserve_none, noinline)) static void
   waitForResource(TP_HANDLER_PARAMETERS) {
-    for (;;) {
-      if (Cycle >= R->End)
-        return leave(T, S, Cycle, R);
+    uint64_t Fetches = 0, Units = 0;
+    for (; Cycle < R->Limit; ++Cycle) {
       Word Used = Free[Cycle] + S->Use;
       if ((Used & R->Guards) == 0)
         break;
-      if ((Used & R->IcacheGuards) != 0) {
-        ++T->Lost[unsigned(Loss::IcacheConflict)];
-      } else {
-        ++T->Lost[unsigned(Loss::UnitConflict)];
-        ++R->UnitConflict[unsigned(S->Instruction.Op)];
-      }
-      ++Cycle;
+      ++((Used & R->IcacheGuards) != 0 ? Fetches : Units);
     }
-    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
-  }
-
-  __attribute__((preserve_none, noinline)) static void
-  waitForTarget(TP_HANDLER_PARAMETERS) {
-    uint64_t Lost = R->Chip.BranchLatency - 1;
-    T->Lost[unsigned(Loss::Branch)] += Lost;
-    T->LastLoss = Loss::Branch;
-    Cycle += Lost;
-    if (Cycle >= R->End)
+    LossCounts &LostHere = R->LostAt[wordOf(S, R)];
+    for (auto [Reason, Cycles] : {std::pair(Loss::IcacheConflict, Fetches),
+                                  std::pair(Loss::UnitConflict, Units)}) {
+      T->Lost[unsigned(Reason)] += Cycles;
+      LostHere[unsigned(Reason)] += Cycles;
+    }
+    if (Cycle >= R->Limit)
       return leave(T, S, Cycle, R);
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
   }
 
-  static void chargeData(Thread *T, TmRunner<Word> *R, Loss Reason,
-                         Opcode Producer, uint64_t Cycles) {
-    T->Lost[unsigned(Reason)] += Cycles;
-    T->LastLoss = Reason;
+  /// LastWord is the branch.
+  __attribute__((preserve_none, noinline)) static void
+  waitForTarget(TP_HANDLER_PARAMETERS) {
+    uint64_t Lost = R->Chip.BranchLatency - 1;
+    R->charge(*T, T->LastWord, Loss::Branch, Lost);
+    Cycle += Lost;
+    if (Cycle >= R->Limit)
+      return leave(T, S, Cycle, R);
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  static void chargeData(Thread *T, const Slot<Word> *S, TmRunner<Word> *R,
+                         Loss Reason, Opcode Producer, uint64_t Cycles) {
+    R->charge(*T, wordOf(S, R), Reason, Cycles);
     T->LastProducer = Producer;
     R->DataStall[unsigned(Producer)] += Cycles;
   }
@@ -242,7 +248,7 @@ private:
   [[gnu::noinline]] static void block(Thread *T, const Slot<Word> *S,
                                       uint64_t Cycle, TmRunner<Word> *R,
                                       Opcode Producer) {
-    chargeData(T, R, Loss::Memory, Producer, R->End - Cycle);
+    chargeData(T, S, R, Loss::Memory, Producer, R->End - Cycle);
     leave(T, S, R->End, R);
   }
 

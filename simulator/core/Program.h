@@ -9,11 +9,20 @@
 
 #include "simulator/isa/Instructions.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace tp {
+
+/// True for an instruction that computes the stack pointer from itself, as
+/// those of a function's frame do.
+inline bool movesStackPointer(const Instruction &Decoded) {
+  return Decoded.Destination == StackPointerRegister &&
+         std::ranges::find(Decoded.Source, StackPointerRegister) !=
+             std::end(Decoded.Source);
+}
 
 /// The text of a program, decoded once. Text is read-only for the program.
 class Program {

@@ -58,16 +58,18 @@ struct Thread {
   /// space were as the local store is.
   uintptr_t LocalStoreBias = 0;
   /// Cycles lost so far, also those that are still ahead of a sleeping thread.
-  std::array<uint64_t, NumLosses> Lost{};
+  LossCounts Lost{};
   /// The cycle after the last instruction of a thread that is at a barrier or
   /// has halted; the cycle of the trap.
   uint64_t EndCycle = 0;
   uint32_t Number = 0;
   int32_t Status = 0;
   ThreadState State = ThreadState::Running;
-  /// What the thread was last charged for, and by which producer.
+  /// What the thread was last charged for, at which word of the text, and by
+  /// which producer.
   Loss LastLoss = Loss::Data;
   Opcode LastProducer = Opcode(0);
+  uint32_t LastWord = 0;
 
   uint64_t totalLost() const {
     uint64_t Sum = 0;

@@ -6,6 +6,8 @@
 
 #include "simulator/core/TmRunner.h"
 
+#include <algorithm>
+
 namespace tp {
 
 /// The bytes of [Address, Address + Bytes) that [Other, Other + OtherBytes)
@@ -16,6 +18,16 @@ static unsigned overlap(uint32_t Address, unsigned Bytes, uint32_t Other,
   for (unsigned I = 0; I != Bytes; ++I)
     Mask |= unsigned(Address + I - Other < OtherBytes) << I;
   return Mask;
+}
+
+void TmRunnerState::growLog() {
+  Log.reserve(std::max<size_t>(256, 2 * Log.capacity()));
+}
+
+void TmRunnerState::countMarker(uint32_t Number) {
+  if (Number >= Markers.size())
+    Markers.resize(Number + 1);
+  ++Markers[Number];
 }
 
 std::optional<Opcode> TmRunnerState::forwardOwn(uint32_t Address,

@@ -8,7 +8,7 @@
 #define TP_SIMULATOR_CORE_TMRUNNER_H
 
 #include "runtime/include/tp/profile.h"
-#include "simulator/chip/ChipConfig.h"
+#include "simulator/core/AddressSpace.h"
 #include "simulator/core/WindowLog.h"
 
 #include <array>
@@ -19,17 +19,10 @@
 namespace tp {
 
 /// What the instructions of all TMs share.
-struct ChipContext {
+struct ChipContext : AddressSpace {
   const ChipConfig *Chip = nullptr;
-  uint8_t *Global = nullptr;
   /// Who wants the profile values, or none.
   ProfileObserver *Observer = nullptr;
-  uint32_t TextBegin = 0;
-  uint32_t TextWords = 0;
-  uint32_t ReadOnlyBytes = 0;
-  uint32_t GlobalBytes = 0;
-  uint32_t LocalBegin = 0;
-  uint32_t LocalBytes = 0;
   uint32_t StackLimit = 0;
   uint32_t MemoryLatency = 0;
   uint32_t BranchLatency = 1;
@@ -44,8 +37,10 @@ struct TmRunnerState {
   /// ones count.
   uint64_t WindowStart = 0;
   uint64_t Epoch = 0;
-  /// Relative first cycle after the window.
+  /// Relative first cycle after the window, and the one that the running thread
+  /// may not reach now; it is at most End.
   uint64_t End = 0;
+  uint64_t Limit = 0;
   /// The running thread's next cycle, set (absolute) when it stops.
   uint64_t NextCycle = 0;
 
@@ -63,12 +58,36 @@ struct TmRunnerState {
   uint32_t Arrived = 0;
   uint32_t Halted = 0;
 
-  std::array<uint64_t, NumOpcodes> Executed{};
+  /// Instructions issued and thread-cycles lost at each word of the text.
+  std::vector<uint64_t> ExecutedAt;
+  std::vector<LossCounts> LostAt;
   std::array<uint64_t, NumOpcodes> DataStall{};
-  std::array<uint64_t, NumOpcodes> UnitConflict{};
+  /// What generated code has counted since CodeGenerator::fold(), and where
+  /// that begins.
+  std::vector<uint64_t> CodeCounts;
+  uint64_t *CodeCountsBegin = nullptr;
+  uint64_t GlobalAccesses = 0;
   std::vector<uint64_t> Markers;
 
   uint64_t windowStartRelative() const { return WindowStart - Epoch; }
+
+  /// Charges a thread for cycles in which it does not issue, at a word of the
+  /// text.
+  void charge(Thread &T, uint32_t Word, Loss Reason, uint64_t Cycles) {
+    T.Lost[unsigned(Reason)] += Cycles;
+    T.LastLoss = Reason;
+    T.LastWord = Word;
+    LostAt[Word][unsigned(Reason)] += Cycles;
+  }
+
+  /// A new entry at the end of the log.
+  GlobalAccess &appendToLog() {
+    if (Log.size() == Log.capacity()) [[unlikely]]
+      growLog();
+    return Log.emplace_back();
+  }
+  void growLog();
+  void countMarker(uint32_t Number);
 
   static uint64_t wordBit(uint32_t Address) {
     return uint64_t(1) << (Address >> 2 & 63);

@@ -7,8 +7,8 @@
 #ifndef TP_SIMULATOR_CORE_WINDOWCOMMIT_H
 #define TP_SIMULATOR_CORE_WINDOWCOMMIT_H
 
+#include "simulator/core/AddressSpace.h"
 #include "simulator/core/Engine.h"
-#include "simulator/core/Program.h"
 #include "simulator/core/WindowLog.h"
 
 #include <optional>
@@ -19,8 +19,8 @@ namespace tp {
 /// Lets the accesses of a window take effect in the order of their keys.
 class WindowCommit {
 public:
-  /// \p LocalStoreBytes as in the chip's description.
-  WindowCommit(Memory &Global, const Program &Text, uint32_t LocalStoreBytes);
+  /// \p Space must outlive it.
+  explicit WindowCommit(const AddressSpace &Space) : Space(Space) {}
 
   void setOutput(OutputFunction Function) { Output = std::move(Function); }
 
@@ -34,8 +34,6 @@ public:
   void commit(uint64_t WindowStart, std::optional<PendingTrap> &FirstTrap);
 
 private:
-  class SharedStreamMemory;
-
   struct Entry {
     OrderKey Key;
     const GlobalAccess *Access;
@@ -44,15 +42,7 @@ private:
 
   uint32_t load(uint32_t Address) const;
   void store(uint32_t Address, uint32_t Value, unsigned Bytes);
-  /// The host call's result, or nothing if it is bad; then \p Bad says how.
-  std::optional<uint32_t> hostCall(const GlobalAccess &Access, Trap &Bad);
-  /// Host address of [Address, Address + Bytes) as the thread sees it, or null.
-  const uint8_t *hostAddress(const Thread &Owner, uint32_t Address,
-                             uint32_t Bytes) const;
-
-  Memory &Global;
-  const Program &Text;
-  uint32_t LocalStoreBytes;
+  const AddressSpace &Space;
   OutputFunction Output;
   std::vector<Entry> Order;
 };

@@ -26,13 +26,6 @@
 
 namespace tp {
 
-/// Distance of the local stores in the host's memory. Threads use the same
-/// addresses at the same time: a few cache lines more than a power of two keep
-/// them in different sets of the host's caches.
-inline uintptr_t localStoreStride(const ChipConfig &Chip) {
-  return Chip.LocalStoreBytes + 5 * 64;
-}
-
 template <class Word, bool FlushToZero>
 class WindowEngine final : public EngineImplementation {
 public:
@@ -52,7 +45,7 @@ public:
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
   Statistics statistics() const override {
-    return summarize(Threads, NextCycles, EndCycle, Counters);
+    return summarize(Threads, NextCycles, EndCycle, Counters, Opcodes);
   }
   const Thread &thread(uint32_t Number) const override {
     return Threads[Number];
@@ -84,18 +77,20 @@ private:
 
   const ChipConfig Chip;
   const ResourceLayout Layout;
+  ChipContext Context;
   WindowCommit Commit;
   HostPages LocalStores;
   unsigned HostThreads = 1;
 
   std::vector<Slot<Word>> Slots;
+  /// Of the text, without the slot behind it.
+  std::vector<Opcode> Opcodes;
   std::vector<Thread> Threads;
   /// Of each thread the first cycle in which it may issue, and of each TM the
   /// least of them.
   std::vector<uint64_t> NextCycles;
   std::vector<uint64_t> TmNextCycles;
 
-  ChipContext Context;
   std::vector<std::unique_ptr<Runner>> Runners;
   /// Counters of all runners, for the statistics.
   std::vector<const TmRunnerState *> Counters;
@@ -121,20 +116,14 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
                                               const Program &Text,
                                               Memory &Global,
                                               const ResourceLayout &Layout)
-    : Chip(Chip), Layout(Layout), Commit(Global, Text, Chip.LocalStoreBytes),
-      LocalStores(Chip.threadCount() * localStoreStride(Chip)),
+    : Chip(Chip), Layout(Layout), Context{AddressSpace(Chip, Text, Global)},
+      Commit(Context), LocalStores(Chip.threadCount() * localStoreStride(Chip)),
       Slots(decodeText<Word, FlushToZero>(Text, Chip, Layout)),
       Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
       TmNextCycles(Chip.TmCount) {
-  LocalStoreRange Local(Chip.LocalStoreBytes);
+  for (const Instruction &Decoded : Text.instructions())
+    Opcodes.push_back(Decoded.Op);
   Context.Chip = &this->Chip;
-  Context.Global = Global.data();
-  Context.TextBegin = Text.textBegin();
-  Context.TextWords = uint32_t(Text.instructions().size());
-  Context.ReadOnlyBytes = Text.readOnlyEnd() - Text.textBegin();
-  Context.GlobalBytes = uint32_t(Global.size() - kGlobalMemoryBegin);
-  Context.LocalBegin = Local.Begin;
-  Context.LocalBytes = Local.Size;
   Context.StackLimit = Text.stackLimit();
   Context.MemoryLatency = Chip.MemoryLatency;
   Context.BranchLatency = Chip.Latency[unsigned(LatencyClass::Branch)];
@@ -143,9 +132,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
   for (uint32_t I = 0; I != Threads.size(); ++I) {
     Threads[I].Number = I;
     Threads[I].Resume = &Slots[EntryWord];
-    Threads[I].LocalStoreBias =
-        reinterpret_cast<uintptr_t>(LocalStores.data()) +
-        I * localStoreStride(Chip) - Local.Begin;
+    Threads[I].LocalStoreBias = localStoreBias(Chip, LocalStores, I);
   }
 }
 
@@ -194,7 +181,7 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
   R.WindowStart = WindowStart;
   R.Epoch = Epoch;
-  R.End = WindowEnd - Epoch;
+  R.End = R.Limit = WindowEnd - Epoch;
   // Neighbouring TMs go to the same host thread, as few atomic operations as
   // still balance the load.
   uint32_t Share =
@@ -267,7 +254,7 @@ void WindowEngine<Word, FlushToZero>::releaseBarrier() {
     if (T.State != ThreadState::AtBarrier)
       continue;
     T.State = ThreadState::Running;
-    T.Lost[unsigned(Loss::Barrier)] += WindowEnd - T.EndCycle;
+    Runners[0]->charge(T, T.LastWord, Loss::Barrier, WindowEnd - T.EndCycle);
     NextCycles[T.Number] = WindowEnd;
     TmNextCycles[T.Number / Chip.TpsPerTm] = WindowEnd;
   }
@@ -278,7 +265,7 @@ template <class Word, bool FlushToZero>
 Progress WindowEngine<Word, FlushToZero>::progress() const {
   Progress Result{WindowEnd, 0, Halted};
   for (const TmRunnerState *State : Counters)
-    for (uint64_t Count : State->Executed)
+    for (uint64_t Count : State->ExecutedAt)
       Result.Instructions += Count;
   return Result;
 }
@@ -340,6 +327,8 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
     R->Guards = Word(Layout.guards());
     R->IcacheGuards = Word(Layout.icacheGuards());
     R->Free.resize(Chip.ArbitrationWindow + 1);
+    R->ExecutedAt.resize(Slots.size());
+    R->LostAt.resize(Slots.size());
     Counters.push_back(R.get());
     Runners.push_back(std::move(R));
   }

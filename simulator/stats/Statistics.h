@@ -67,24 +67,13 @@ struct ThreadStatistics {
   LossCounts Lost{};
 };
 
-/// What happened at one word of the program's text, in all threads.
-struct TextStatistics {
-  Opcode Op = IllegalOpcode;
-  /// Instructions issued.
-  uint64_t Executed = 0;
-  /// Thread-cycles in which this instruction could not issue, or which it spent
-  /// as `barrier`, `sync`, `hostcall` or `sleep`; a taken branch's loss is at
-  /// its target.
-  LossCounts Lost{};
-};
-
 /// What happened at one instruction word of the text, over all threads.
 struct PcStatistics {
   uint64_t Executed = 0;
   /// Thread-cycles lost at it: to Loss::Branch, Barrier, Sync and Sleep behind
   /// this instruction, to all others while it was the next to issue. A halted
   /// thread is nowhere: Loss::Finished is 0.
-  std::array<uint64_t, NumLosses> Lost{};
+  LossCounts Lost{};
 };
 
 /// Sums over the chip. Thread-cycles unless stated otherwise.
@@ -100,8 +89,6 @@ struct Statistics {
   std::array<uint64_t, NumOpcodes> UnitConflict{};
   /// Passes of the profile marker instruction, by its immediate.
   std::vector<uint64_t> Markers;
-  /// One entry per word of the text.
-  std::vector<TextStatistics> Text;
   /// One entry per thread; the thread number is TM * TPs per TM + TP.
   std::vector<ThreadStatistics> Threads;
   /// One entry per word of the program's text, in the order of addresses.

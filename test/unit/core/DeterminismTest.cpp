@@ -43,7 +43,7 @@ static ChipConfig contendedChip(uint32_t Tms, uint32_t Tps) {
   ChipConfig Chip = quietChip(Tms, Tps);
   for (UnitConfig &Type : Chip.Units)
     Type.Count = std::max(1u, Tps / 2);
-  Chip.Units[unsigned(Unit::FPINV)] = {1, 4, 0};
+  Chip.Units[unsigned(Unit::FPINV)] = {1, 4};
   Chip.IcacheBanks = 4;
   Chip.IcachePorts = 1;
   return Chip;

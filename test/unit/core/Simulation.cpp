@@ -69,15 +69,28 @@ void Simulation::setWord(uint32_t Address, uint32_t Value) {
 
 void Simulation::expectConsistentStatistics() const {
   const Statistics &S = statistics();
+  LossCounts Lost{};
   uint64_t Issued = 0, Waited = 0, Conflicts = 0;
   for (const ThreadStatistics &T : S.Threads) {
     uint64_t Sum =
         std::accumulate(T.Lost.begin(), T.Lost.end(), T.Instructions);
     EXPECT_EQ(Sum, S.Cycles);
+    for (unsigned I = 0; I != NumLosses; ++I)
+      Lost[I] += T.Lost[I];
     Issued += T.Instructions;
     Waited += T.Lost[unsigned(Loss::Data)] + T.Lost[unsigned(Loss::Memory)];
     Conflicts += T.Lost[unsigned(Loss::UnitConflict)];
   }
+  uint64_t IssuedAt = 0;
+  LossCounts LostAt{};
+  for (const PcStatistics &Pc : S.Pcs) {
+    IssuedAt += Pc.Executed;
+    for (unsigned I = 0; I != NumLosses; ++I)
+      LostAt[I] += Pc.Lost[I];
+  }
+  EXPECT_EQ(IssuedAt, Issued);
+  for (unsigned I = 0; I != unsigned(Loss::Finished); ++I)
+    EXPECT_EQ(LostAt[I], Lost[I]) << "loss " << I;
   auto Total = [](const auto &Counts) {
     return std::accumulate(Counts.begin(), Counts.end(), uint64_t(0));
   };
