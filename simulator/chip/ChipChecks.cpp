@@ -31,10 +31,6 @@ public:
       checkCache("l1", *Chip.L1);
     if (Chip.L2)
       checkCache("l2", *Chip.L2);
-    if (Chip.L1 && Chip.L2 && Chip.L1->SectorBytes > Chip.L2->SectorBytes)
-      badValue("l1.sector_bytes", Chip.L1->SectorBytes,
-               "at most l2.sector_bytes, which is " +
-                   Twine(Chip.L2->SectorBytes));
     if (Chip.Dram)
       checkDram(*Chip.Dram);
     checkWindow();
@@ -66,6 +62,11 @@ private:
       badValue(Name + ".sector_bytes", Cache.SectorBytes,
                "at most " + Name + ".line_bytes, which is " +
                    Twine(Cache.LineBytes));
+    if (Cache.LineBytes > MaxSectorsPerLine * Cache.SectorBytes)
+      badValue(Name + ".sector_bytes", Cache.SectorBytes,
+               "at least " + Name + ".line_bytes / " +
+                   Twine(MaxSectorsPerLine) + ", which is " +
+                   Twine(Cache.LineBytes / MaxSectorsPerLine));
   }
 
   void checkDram(const DramConfig &Dram) {

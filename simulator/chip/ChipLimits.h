@@ -29,10 +29,12 @@ inline constexpr uint64_t MinMemoryBytes = 128 << 10;
 
 inline constexpr uint32_t MaxStoreBufferEntries = 64;
 inline constexpr uint64_t MaxCacheBytes = 1ull << 30;
-inline constexpr uint32_t MaxLineBytes = 1024;
+inline constexpr uint32_t MaxLineBytes = 4096;
+inline constexpr uint32_t MinSectorBytes = 4;
+inline constexpr uint32_t MaxSectorsPerLine = 16;
 inline constexpr uint32_t MaxCacheWays = 1024;
 inline constexpr uint32_t MaxCacheBanks = 64;
-inline constexpr uint32_t MaxMissRegisters = 4096;
+inline constexpr uint32_t MaxMissRegisters = 65535;
 inline constexpr uint32_t MaxPortBytes = 1024;
 inline constexpr uint32_t MaxDramChannels = 256;
 inline constexpr uint32_t MaxDramTicks = 1u << 20;

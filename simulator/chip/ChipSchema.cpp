@@ -87,7 +87,9 @@ private:
     V.integer({"line_bytes", "bytes that share a tag"}, Cache.LineBytes,
               bytesUpTo(MaxLineBytes));
     V.integer({"sector_bytes", "bytes that are fetched at once", Optional},
-              Cache.SectorBytes, bytesUpTo(MaxLineBytes));
+              Cache.SectorBytes,
+              {MinSectorBytes, MaxLineBytes, 1, /*PowerOfTwo=*/true,
+               /*IsBytes=*/true});
     V.integer({"ways", "lines of a set"}, Cache.Ways, {1, MaxCacheWays});
     V.integer({"banks", "banks, each of which serves a request a cycle"},
               Cache.Banks, {1, MaxCacheBanks, 1, /*PowerOfTwo=*/true});
@@ -158,15 +160,12 @@ private:
           V.integer({"clock_khz", "of the command clock"}, Dram.ClockKHz,
                     {1000, 100'000'000});
           V.integer({"channels", "independent (pseudo) channels"},
-                    Dram.Channels, powerOfTwo(MaxDramChannels));
-          V.integer({"bank_groups", "of a channel"}, Dram.BankGroups,
-                    powerOfTwo(64));
-          V.integer({"banks_per_group", "banks"}, Dram.BanksPerGroup,
-                    powerOfTwo(64));
-          V.integer({"rows_per_bank", "rows"}, Dram.RowsPerBank,
-                    powerOfTwo(1 << 24));
+                    Dram.Channels, {1, MaxDramChannels});
+          V.integer({"bank_groups", "of a channel"}, Dram.BankGroups, {1, 64});
+          V.integer({"banks_per_group", "banks"}, Dram.BanksPerGroup, {1, 64});
+          V.integer({"rows_per_bank", "rows"}, Dram.RowsPerBank, {1, 1 << 24});
           V.integer({"row_bytes", "bytes of a row"}, Dram.RowBytes,
-                    bytesUpTo(1 << 20));
+                    {1, 1 << 20, 1, false, true});
           V.integer({"burst_bytes", "bytes of an access"}, Dram.BurstBytes,
                     bytesUpTo(1024));
           V.integer({"burst_ticks", "an access holds the data bus so long"},
@@ -184,10 +183,6 @@ private:
           visitController(Dram);
           visitDramEnergy(Dram.Energy);
         });
-  }
-
-  static constexpr IntegerRange powerOfTwo(uint64_t Max) {
-    return {1, Max, 1, /*PowerOfTwo=*/true};
   }
 
   void visitTicks(DramConfig &Dram) {
