@@ -82,7 +82,6 @@ public:
     }
     if (!Runner.Chip.isGlobal(At)) [[unlikely]]
       return trap(AddressSpace::badAddress(At), At), T();
-    ++Runner.GlobalAccesses;
     ResultReady = readyAfter(Runner.Chip.MemoryLatency, true);
     T Value = hostLoad<T>(Runner.Chip.Global + At);
     if (Runner.OwnWords & Runner.wordBit(At)) [[unlikely]] {
@@ -92,9 +91,11 @@ public:
               Runner.forwardOwn(At, sizeof(T), Bits)) {
         Kind = Outcome::Blocked;
         Blocker = *Producer;
+        return T();
       }
       std::memcpy(&Value, &Bits, sizeof(T));
     }
+    ++Runner.GlobalAccesses;
     return Value;
   }
 
