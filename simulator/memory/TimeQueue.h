@@ -1,0 +1,80 @@
+//===- TimeQueue.h - What arrives, in the order of time ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_MEMORY_TIMEQUEUE_H
+#define TP_SIMULATOR_MEMORY_TIMEQUEUE_H
+
+#include "simulator/core/Archive.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tp {
+
+/// No cycle at all, later than any.
+inline constexpr uint64_t NoCycle = ~uint64_t(0);
+
+/// A queue of \p T, which has a member Cycle, in the order of \p Before.
+/// Entries are added in batches and in any order.
+template <class T, class Before> class TimeQueue {
+public:
+  void add(const T &Entry) { Added.push_back(Entry); }
+
+  /// Puts what was added since the last call into its place.
+  void settle() {
+    if (Added.empty())
+      return;
+    if (!std::is_sorted(Added.begin(), Added.end(), Before()))
+      std::sort(Added.begin(), Added.end(), Before());
+    if (Head == Sorted.size()) {
+      Sorted.swap(Added);
+      Head = 0;
+    } else {
+      mergeAdded();
+    }
+    Added.clear();
+  }
+
+  /// Entries, settled or not.
+  size_t size() const { return Added.size() + Sorted.size() - Head; }
+  /// Of the first settled entry; NoCycle if there is none.
+  uint64_t nextCycle() const {
+    return Head == Sorted.size() ? NoCycle : Sorted[Head].Cycle;
+  }
+  const T &front() const { return Sorted[Head]; }
+  void pop() { ++Head; }
+
+  void serialize(Archive &A) {
+    settle();
+    Sorted.erase(Sorted.begin(), Sorted.begin() + ptrdiff_t(Head));
+    Head = 0;
+    A(Sorted);
+  }
+
+private:
+  void mergeAdded() {
+    Sorted.erase(Sorted.begin(), Sorted.begin() + ptrdiff_t(Head));
+    Head = 0;
+    size_t Old = Sorted.size(), New = Added.size();
+    Sorted.resize(Old + New);
+    // From the back, so that nothing is overwritten that is still to move.
+    for (size_t To = Old + New; New != 0; --To)
+      if (Old != 0 && Before()(Added[New - 1], Sorted[Old - 1]))
+        Sorted[To - 1] = Sorted[--Old];
+      else
+        Sorted[To - 1] = Added[--New];
+  }
+
+  std::vector<T> Sorted;
+  size_t Head = 0;
+  std::vector<T> Added;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_MEMORY_TIMEQUEUE_H
