@@ -77,6 +77,10 @@ void Engine::setOutput(OutputFunction Function) {
   Implementation->setOutput(std::move(Function));
 }
 
+void Engine::setInitialState(std::span<const ArchitecturalState> States) {
+  Implementation->setInitialState(States);
+}
+
 RunResult Engine::run(const RunLimits &Limits) {
   assert(Error.empty() && "run() of an engine with an error");
   return Implementation->run(Limits);

@@ -13,6 +13,7 @@
 
 #include "runtime/include/tp/profile.h"
 #include "simulator/chip/ChipConfig.h"
+#include "simulator/core/ArchitecturalState.h"
 #include "simulator/core/Memory.h"
 #include "simulator/core/Program.h"
 #include "simulator/core/Trap.h"
@@ -22,6 +23,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,6 +102,10 @@ public:
   void setObserver(ProfileObserver *Observer);
   /// Where host calls write; without it output is dropped.
   void setOutput(OutputFunction Function);
+
+  /// Where the threads, by their number, begin; instead of at the program's
+  /// entry with registers and local stores of zeros. Before the first run().
+  void setInitialState(std::span<const ArchitecturalState> States);
 
   /// Runs until all threads have halted, one trapped, or a limit is reached.
   /// After a pause or stop the next call goes on from there: pauses change no

@@ -25,6 +25,7 @@ public:
   virtual void setHostThreads(unsigned Count) = 0;
   virtual void setObserver(ProfileObserver *Observer) = 0;
   virtual void setOutput(OutputFunction Function) = 0;
+  virtual void setInitialState(std::span<const ArchitecturalState> States) = 0;
   virtual RunResult run(const RunLimits &Limits) = 0;
   virtual uint64_t cycles() const = 0;
   virtual Statistics statistics() const = 0;

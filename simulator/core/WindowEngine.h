@@ -42,6 +42,7 @@ public:
   void setOutput(OutputFunction Function) override {
     Commit.setOutput(std::move(Function));
   }
+  void setInitialState(std::span<const ArchitecturalState> States) override;
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
   Statistics statistics() const override {
@@ -133,6 +134,32 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
     Threads[I].Number = I;
     Threads[I].Resume = &Slots[EntryWord];
     Threads[I].LocalStoreBias = localStoreBias(Chip, LocalStores, I);
+  }
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setInitialState(
+    std::span<const ArchitecturalState> States) {
+  LocalStoreRange Local(Chip.LocalStoreBytes);
+  std::fill(TmNextCycles.begin(), TmNextCycles.end(), NeverCycle);
+  for (uint32_t I = 0; I != Threads.size(); ++I) {
+    const ArchitecturalState &From = States[I];
+    Thread &T = Threads[I];
+    uint32_t NextWord = (From.Pc - Context.TextBegin) / 4;
+    T.Registers = From.Registers;
+    T.Resume = &Slots[NextWord];
+    T.State = From.State;
+    T.Status = From.Status;
+    std::memcpy(reinterpret_cast<void *>(T.LocalStoreBias + Local.Begin),
+                From.LocalStore, Chip.LocalStoreBytes);
+    Waiting += T.State == ThreadState::AtBarrier;
+    Halted += T.State == ThreadState::Halted;
+    if (T.State == ThreadState::Running) {
+      TmNextCycles[I / Chip.TpsPerTm] = 0;
+    } else {
+      NextCycles[I] = NeverCycle;
+      T.LastWord = NextWord - 1;
+    }
   }
 }
 

@@ -1,0 +1,210 @@
+//===- FunctionalMachine.cpp - A chip without its timing ------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/functional/FunctionalMachine.h"
+
+#include "simulator/functional/FunctionalText.h"
+
+#include <cassert>
+#include <chrono>
+
+namespace tp {
+
+/// Instructions of a turn: enough that changing the thread costs nothing, few
+/// enough that a thread that waits for another does not wait long.
+static constexpr int64_t TurnInstructions = 1 << 14;
+
+class FunctionalMachine::Implementation {
+public:
+  Implementation(const ChipConfig &Chip, const Program &Text, Memory &Global);
+
+  bool isMapped() const {
+    return Chip.LocalStoreBytes == 0 || LocalStores.data();
+  }
+  RunResult run(const FunctionalLimits &Limits);
+  Statistics statistics() const;
+  std::vector<ArchitecturalState> threads() const;
+
+  FunctionalRunner Runner;
+  std::vector<FunctionalThread> Threads;
+
+private:
+  /// Whether it can go on by itself.
+  static bool canRun(const FunctionalThread &T) {
+    return T.State == ThreadState::Running && !T.AtMarker;
+  }
+  void runTurn(FunctionalThread &T);
+  /// Lets all threads go on that wait at the barrier.
+  void releaseBarrier();
+  std::optional<RunResult> ending() const;
+  Progress progress() const;
+
+  const ChipConfig Chip;
+  HostPages LocalStores;
+  std::vector<FunctionalSlot> Slots;
+  /// Who has the next turn, so that a stop changes nothing.
+  size_t Next = 0;
+  /// Turns since a thread could go on the last time.
+  size_t Idle = 0;
+};
+
+FunctionalMachine::Implementation::Implementation(const ChipConfig &Chip,
+                                                  const Program &Text,
+                                                  Memory &Global)
+    : Threads(Chip.threadCount()), Chip(Chip),
+      LocalStores(Chip.threadCount() * localStoreStride(Chip)),
+      Slots(decodeFunctional(Text, Chip.FlushToZero)) {
+  Runner.Space = AddressSpace(Chip, Text, Global);
+  Runner.Chip = &this->Chip;
+  Runner.StackLimit = Text.stackLimit();
+  Runner.Slots = Slots.data();
+  for (uint32_t I = 0; I != Threads.size(); ++I) {
+    Threads[I].Number = I;
+    Threads[I].NextWord = (Text.entry() - Text.textBegin()) / 4;
+    Threads[I].LocalStoreBias = localStoreBias(Chip, LocalStores, I);
+  }
+}
+
+void FunctionalMachine::Implementation::runTurn(FunctionalThread &T) {
+  FunctionalSlot *S = &Slots[T.NextWord];
+  ++S->Begun;
+  T.TurnEnd += TurnInstructions;
+  S->Execute(&T, S, S, TurnInstructions, &Runner);
+}
+
+void FunctionalMachine::Implementation::releaseBarrier() {
+  for (FunctionalThread &T : Threads)
+    if (T.State == ThreadState::AtBarrier)
+      T.State = ThreadState::Running;
+  Runner.Arrived = 0;
+}
+
+std::optional<RunResult> FunctionalMachine::Implementation::ending() const {
+  if (Runner.FirstTrap)
+    return RunResult{RunResult::Trapped, 1, Runner.FirstTrap};
+  if (Runner.Halted != Threads.size())
+    return std::nullopt;
+  RunResult Result{RunResult::Halted, 0, std::nullopt};
+  for (const FunctionalThread &T : Threads)
+    if (Result.ExitStatus == 0)
+      Result.ExitStatus = T.Status;
+  return Result;
+}
+
+Progress FunctionalMachine::Implementation::progress() const {
+  Progress Result{0, 0, Runner.Halted};
+  for (const FunctionalThread &T : Threads)
+    Result.Instructions += T.TurnEnd;
+  return Result;
+}
+
+RunResult
+FunctionalMachine::Implementation::run(const FunctionalLimits &Limits) {
+  using Clock = std::chrono::steady_clock;
+  constexpr unsigned TurnsPerReport = 256;
+  Runner.StopMarker = Limits.StopMarker;
+  auto LastReport = Clock::now();
+  Idle = 0;
+  for (unsigned Turns = 0;;) {
+    if (std::optional<RunResult> End = ending())
+      return *End;
+    if (Limits.Stop && Limits.Stop->load(std::memory_order_relaxed))
+      return RunResult{RunResult::Stopped, 0, std::nullopt};
+    if (Runner.Arrived != 0 && Runner.Arrived + Runner.Halted == Threads.size())
+      releaseBarrier();
+    if (Idle == Threads.size()) {
+      for (FunctionalThread &T : Threads)
+        T.AtMarker = false;
+      return RunResult{RunResult::Paused, 0, std::nullopt};
+    }
+    FunctionalThread &T = Threads[Next];
+    Next = Next + 1 == Threads.size() ? 0 : Next + 1;
+    if (!canRun(T)) {
+      ++Idle;
+      continue;
+    }
+    Idle = 0;
+    runTurn(T);
+    if (Limits.Report && ++Turns % TurnsPerReport == 0 &&
+        Clock::now() - LastReport > std::chrono::milliseconds(100)) {
+      LastReport = Clock::now();
+      Limits.Report(progress());
+    }
+  }
+}
+
+Statistics FunctionalMachine::Implementation::statistics() const {
+  Statistics Sum;
+  // Threads that are at an instruction now, going through the text.
+  uint64_t Inside = 0;
+  for (const FunctionalSlot &S : Slots) {
+    Inside += S.Begun - S.Ended;
+    Opcode Op = S.Instruction.Op;
+    bool Counts = Op != IllegalOpcode && takesTime(Op);
+    if (&S != &Slots.back())
+      Sum.Pcs.push_back({Counts ? Inside : 0, {}});
+    if (Counts)
+      Sum.Executed[unsigned(Op)] += Inside;
+  }
+  Sum.Markers = Runner.Markers;
+  for (const FunctionalThread &T : Threads) {
+    ThreadStatistics &Counts = Sum.Threads.emplace_back();
+    Counts.Instructions = T.TurnEnd;
+  }
+  return Sum;
+}
+
+std::vector<ArchitecturalState>
+FunctionalMachine::Implementation::threads() const {
+  std::vector<ArchitecturalState> States;
+  LocalStoreRange Local(Chip.LocalStoreBytes);
+  for (const FunctionalThread &T : Threads)
+    States.push_back(
+        {T.Registers, Runner.Space.TextBegin + T.NextWord * 4, T.State,
+         T.Status,
+         reinterpret_cast<const uint8_t *>(T.LocalStoreBias + Local.Begin)});
+  return States;
+}
+
+FunctionalMachine::FunctionalMachine(const ChipConfig &Chip,
+                                     const Program &Text, Memory &Global) {
+  Error = Engine(Chip, Text, Global).error();
+  if (!Error.empty())
+    return;
+  Machine = std::make_unique<Implementation>(Chip, Text, Global);
+  if (!Machine->isMapped())
+    Error = "the host has no room for the local stores";
+}
+
+FunctionalMachine::~FunctionalMachine() = default;
+
+void FunctionalMachine::setObserver(ProfileObserver *Observer) {
+  Machine->Runner.Observer = Observer;
+}
+
+void FunctionalMachine::setOutput(OutputFunction Function) {
+  Machine->Runner.Output = std::move(Function);
+}
+
+RunResult FunctionalMachine::run(const FunctionalLimits &Limits) {
+  assert(Error.empty() && "run() of a machine with an error");
+  return Machine->run(Limits);
+}
+
+Statistics FunctionalMachine::statistics() const {
+  return Machine->statistics();
+}
+
+uint32_t FunctionalMachine::registerOf(uint32_t Thread,
+                                       unsigned Register) const {
+  return Machine->Threads[Thread].Registers[Register];
+}
+
+std::vector<ArchitecturalState> FunctionalMachine::threads() const {
+  return Machine->threads();
+}
+
+} // namespace tp

@@ -1,0 +1,77 @@
+//===- FunctionalMachine.h - A chip without its timing ----------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// docs/long-runs.md says what the functional mode promises.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_FUNCTIONAL_FUNCTIONALMACHINE_H
+#define TP_SIMULATOR_FUNCTIONAL_FUNCTIONALMACHINE_H
+
+#include "simulator/core/ArchitecturalState.h"
+#include "simulator/core/Engine.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// How long to run. What is not set limits nothing.
+struct FunctionalLimits {
+  /// Each thread stops behind this profile marker; the run pauses when no
+  /// thread can go on.
+  std::optional<uint32_t> StopMarker;
+  /// Stops between two turns when this has become true.
+  const std::atomic<bool> *Stop = nullptr;
+  /// Called about ten times a second.
+  ProgressFunction Report;
+};
+
+/// Executes a program on a chip without timing: threads in turn for a quantum
+/// of instructions each, on one thread of the host. What it does depends on
+/// nothing but chip, program and memory contents.
+class FunctionalMachine {
+public:
+  /// Program and memory must outlive the machine.
+  FunctionalMachine(const ChipConfig &Chip, const Program &Text,
+                    Memory &Global);
+  ~FunctionalMachine();
+
+  /// Why this chip cannot be simulated; empty if it can. Check it before run().
+  const std::string &error() const { return Error; }
+
+  /// As for Engine.
+  void setObserver(ProfileObserver *Observer);
+  void setOutput(OutputFunction Function);
+
+  /// Runs until all threads have halted, one trapped, or a limit is reached
+  /// (Paused: the marker). A trap's cycle is the number of instructions that
+  /// the thread had issued.
+  RunResult run(const FunctionalLimits &Limits = {});
+
+  /// Instructions by opcode, by word of the text and by thread, and markers: no
+  /// cycles and no losses.
+  Statistics statistics() const;
+
+  /// As for Engine.
+  uint32_t registerOf(uint32_t Thread, unsigned Register) const;
+  /// The threads as they are between two runs, by their number. Valid as long
+  /// as the machine.
+  std::vector<ArchitecturalState> threads() const;
+
+private:
+  class Implementation;
+
+  std::unique_ptr<Implementation> Machine;
+  std::string Error;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_FUNCTIONAL_FUNCTIONALMACHINE_H

@@ -1,0 +1,57 @@
+//===- FunctionalThread.h - A thread without its timing ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_FUNCTIONAL_FUNCTIONALTHREAD_H
+#define TP_SIMULATOR_FUNCTIONAL_FUNCTIONALTHREAD_H
+
+#include "simulator/core/AddressSpace.h"
+#include "simulator/core/Engine.h"
+#include "simulator/core/Thread.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace tp {
+
+/// One thread of the functional mode.
+struct FunctionalThread {
+  std::array<uint32_t, NumRegisters> Registers{};
+  /// Number of the word of the text to go on with.
+  uint32_t NextWord = 0;
+  uint32_t Number = 0;
+  /// As in Thread.
+  uintptr_t LocalStoreBias = 0;
+  /// Instructions issued up to the beginning of its turn, plus the turn's
+  /// quantum: what remains of the quantum is taken off.
+  uint64_t TurnEnd = 0;
+  /// Cycles that `sleep` passed over.
+  uint64_t Slept = 0;
+  int32_t Status = 0;
+  ThreadState State = ThreadState::Running;
+  /// Waits at the marker at which the machine is to stop.
+  bool AtMarker = false;
+};
+
+/// What all threads of the functional mode share.
+struct FunctionalContextState {
+  AddressSpace Space;
+  const ChipConfig *Chip = nullptr;
+  ProfileObserver *Observer = nullptr;
+  OutputFunction Output;
+  uint32_t StackLimit = 0;
+  /// Threads stop behind this marker.
+  std::optional<uint32_t> StopMarker;
+  std::vector<uint64_t> Markers;
+  uint32_t Arrived = 0;
+  uint32_t Halted = 0;
+  std::optional<Trap> FirstTrap;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_FUNCTIONAL_FUNCTIONALTHREAD_H
