@@ -7,6 +7,8 @@
 #include "simulator/chip/ChipChecks.h"
 
 #include "simulator/chip/ChipLimits.h"
+#include "simulator/chip/MinimumRoundTrip.h"
+#include "simulator/memory/dram/DramAddressMapping.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
@@ -33,7 +35,8 @@ public:
       checkCache("l2", *Chip.L2);
     if (Chip.Dram)
       checkDram(*Chip.Dram);
-    checkWindow();
+    if (Errors.empty())
+      checkWindow();
   }
 
 private:
@@ -96,16 +99,27 @@ private:
     AtLeast("ticks.wtr_long", Dram.WtrLongTicks, "wtr_short",
             Dram.WtrShortTicks);
     AtLeast("ticks.ras", Dram.RasTicks, "rcd_read", Dram.RcdReadTicks);
+    std::string WrongMapping = checkAddressMapping(Dram);
+    if (!WrongMapping.empty())
+      bad("memory.dram.address_mapping",
+          "'memory.dram.address_mapping': " + WrongMapping);
+    else if (Chip.MemoryBytes > dramCapacityBytes(Dram))
+      badValue("memory.bytes", Chip.MemoryBytes,
+               "at most what the DRAM holds, which is " +
+                   Twine(dramCapacityBytes(Dram)));
     if (Dram.RefiTicks)
       AtLeast("ticks.refi", Dram.RefiTicks, "rfc + 1", Dram.RfcTicks + 1);
   }
 
   /// The window ends before anything that left the TM in it comes back.
   void checkWindow() {
-    if (!Chip.hasMemorySystem() && Chip.ArbitrationWindow > Chip.MemoryLatency)
+    uint64_t Longest = minimumRoundTrip(Chip);
+    if (Chip.ArbitrationWindow > Longest)
       badValue("arbitration_window_cycles", Chip.ArbitrationWindow,
-               "at most memory.latency_cycles, which is " +
-                   Twine(Chip.MemoryLatency));
+               (Chip.hasMemorySystem()
+                    ? "at most the shortest round trip to memory, which is "
+                    : "at most memory.latency_cycles, which is ") +
+                   Twine(Longest));
   }
 };
 

@@ -129,7 +129,7 @@ private:
           V.integer({"header_bytes",
                      "of each request, before the data of a store or atomic",
                      Optional},
-                    Crossbar.HeaderBytes, {0, MaxPortBytes});
+                    Crossbar.HeaderBytes, {1, MaxPortBytes});
         });
     V.section<CacheConfig>({{"l2", "cache of a group of TMs", Optional}}, C.L2,
                            [&](CacheConfig &Cache) {
@@ -248,18 +248,21 @@ private:
              Source.IsAssumption, {"false", "true"});
   }
 
-  void visitDramEnergy(DramEnergy &Energy) {
-    V.section({{"energy", "of a channel with its interface", Optional}}, [&] {
-      auto Nj = [&](StringRef Name, StringRef Meaning, double &Value) {
-        V.number({Name, Meaning}, Value, {0, 1e6});
-      };
-      Nj("activate_nj", "of opening and closing a row", Energy.ActivateNj);
-      Nj("read_nj", "of an access", Energy.ReadNj);
-      Nj("write_nj", "of an access", Energy.WriteNj);
-      Nj("refresh_nj", "of a refresh", Energy.RefreshNj);
-      Nj("background_w", "W, always", Energy.BackgroundW);
-      visitSource(Energy.Source);
-    });
+  void visitDramEnergy(std::optional<DramEnergy> &Value) {
+    V.section<DramEnergy>(
+        {{"energy", "of a channel with its interface", Optional}}, Value,
+        [&](DramEnergy &Energy) {
+          auto Nj = [&](StringRef Name, StringRef Meaning, double &Number) {
+            V.number({Name, Meaning}, Number, {0, 1e6});
+          };
+          Nj("activate_nj", "nJ of opening and closing a row",
+             Energy.ActivateNj);
+          Nj("read_nj", "nJ of an access", Energy.ReadNj);
+          Nj("write_nj", "nJ of an access", Energy.WriteNj);
+          Nj("refresh_nj", "nJ of a refresh", Energy.RefreshNj);
+          Nj("background_w", "W, always", Energy.BackgroundW);
+          visitSource(Energy.Source);
+        });
   }
 
   void visitUnits() {

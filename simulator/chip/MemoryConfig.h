@@ -10,6 +10,7 @@
 #include "simulator/chip/TechnologyConfig.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace tp {
@@ -126,7 +127,8 @@ struct DramConfig {
   /// Cycles of the chip that controller and PHY add to each read.
   uint32_t ControllerCycles = 0;
 
-  DramEnergy Energy;
+  /// Nothing if the file does not give it.
+  std::optional<DramEnergy> Energy;
 };
 
 } // namespace tp

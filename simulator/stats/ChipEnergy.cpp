@@ -47,7 +47,7 @@ double seconds(const ChipConfig &Chip, uint64_t Cycles) {
 }
 
 EnergyPart dramEnergy(const ChipConfig &Chip, const Statistics &Stats) {
-  const DramEnergy &Each = Chip.Dram->Energy;
+  const DramEnergy Each = Chip.Dram->Energy.value_or(DramEnergy());
   EnergyPart Part{"dram", 0, 0, Each.Source};
   for (const DramChannelStatistics &Channel : Stats.Memory->DramChannels) {
     Part.Operations +=
