@@ -21,7 +21,10 @@ constexpr uint64_t ChipKHz = 1'000'000;
 DramConfig dramFile(const std::string &Name) {
   llvm::Expected<ChipConfig> Chip = loadChip("1x1", TP_CHIP_FOLDER);
   if (Chip)
-    Chip = withSettings(*Chip, {"memory.dram=" + Name}, {TP_CHIP_FOLDER});
+    Chip = withSettings(*Chip,
+                        {"arbitration_window_cycles=16", "memory.bytes=1 GiB",
+                         "memory.dram=" + Name},
+                        {TP_CHIP_FOLDER});
   if (Chip && Chip->Dram)
     return *Chip->Dram;
   ADD_FAILURE() << (Chip ? "no DRAM" : llvm::toString(Chip.takeError()));
