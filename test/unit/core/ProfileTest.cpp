@@ -136,3 +136,20 @@ TEST(Profile, TextMustNotEndWithMessages) {
   EXPECT_EQ(Result.TrapInfo->Kind, TrapKind::FetchOutsideText);
   EXPECT_EQ(Result.TrapInfo->Cycle, 1u);
 }
+
+TEST(Profile, AResultOfTheWindowIsWaitedForAlsoAtItsEnd) {
+  // The atomic issues in the first cycle of window 1, [16, 32), its result is
+  // ready in 32, and the thread is at the message when cycle 31 has issued.
+  ChipConfig Chip = quietChip(1, 1);
+  Chip.MemoryLatency = Chip.ArbitrationWindow;
+  Assembly A;
+  A("lui", 20, DataBegin >> 16).repeat(15, "addi", 5, 0, 7);
+  A("atom_add", 4, 5, 20).repeat(15, "addi", 6, 0, 1);
+  A("profv", 3, 4)("halt", 0);
+  Simulation S(Chip, A);
+  S.setWord(DataBegin, 1234);
+  ValueLog Log;
+  S.setObserver(Log);
+  EXPECT_EQ(S.cycles(), 33u);
+  EXPECT_EQ(Log.Seen[0], (ValueLog::Values{{3, 1234}}));
+}

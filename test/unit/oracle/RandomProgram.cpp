@@ -265,8 +265,11 @@ private:
     Item Lines = address();
     bool IsStream = Op == Opcode::STREAM_PUSH || Op == Opcode::STREAM_POP;
     operand(L, "rs") = IsStream && !Random.oneIn(100) ? StreamBase : base();
+    int64_t Destination = L.Operands.front();
     Lines.push_back(L);
     add(Lines);
+    if (Random.oneIn(4))
+      add({{Opcode::PROFV, {Random.below(8), Destination}}});
   }
 
   void division(Opcode Op) {
