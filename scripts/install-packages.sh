@@ -11,7 +11,8 @@ packages=(
   cmake ninja-build clang-22 llvm-22-dev libclang-22-dev libstdc++-12-dev
   llvm-22 libtinygltf-dev libpng-dev python3
   # Tests
-  llvm-22-tools libgtest-dev libgmock-dev libembree-dev csmith libcsmith-dev make
+  llvm-22-tools libgtest-dev libgmock-dev libembree-dev csmith libcsmith-dev
+  make python3-jsonschema
   "$@"
 )
 

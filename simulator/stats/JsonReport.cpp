@@ -7,10 +7,9 @@
 #include "simulator/stats/JsonReport.h"
 
 #include "kernels/profile/RayProfiler.h"
-#include "simulator/chip/ChipArea.h"
+#include "simulator/stats/JsonBlocks.h"
 #include "simulator/stats/RayProfileJson.h"
 
-#include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/JSON.h"
 
 using namespace llvm;
@@ -26,6 +25,7 @@ public:
   void write() {
     Json.object([&] {
       Json.attribute("format_version", JsonFormatVersion);
+      Json.attribute("mode", "cycle");
       writeRun();
       writeChip();
       writeImage();
@@ -36,7 +36,10 @@ public:
       writeOpcodes();
       writeUnits();
       writeMarkers();
-      writeThreads();
+      writeMemory(Run, Json);
+      writeEnergy(Run, Json);
+      writePcs(Run, Json);
+      writeThreads(Run, Json);
     });
   }
 
@@ -71,11 +74,7 @@ private:
       Json.attribute("memory_latency_cycles", Chip.MemoryLatency);
       Json.attribute("icache_banks", Chip.IcacheBanks);
       Json.attribute("icache_ports_per_bank", Chip.IcachePorts);
-      Json.attributeObject("area_mm2", [&] {
-        for (const AreaPart &Part : chipArea(Chip))
-          Json.attribute(Part.Name, Part.TotalMm2);
-        Json.attribute("total", totalAreaMm2(Chip));
-      });
+      writeArea(Run, Json);
     });
   }
 
@@ -156,63 +155,6 @@ private:
         if (Stats.Markers[I] != 0)
           Json.attribute(std::to_string(I), Stats.Markers[I]);
     });
-  }
-
-  /// An array on one line: thousands of lines would bury the rest.
-  template <typename RangeT> void flatArray(StringRef Name, RangeT &&Values) {
-    Json.attributeBegin(Name);
-    Json.rawValue([&](raw_ostream &OS) {
-      OS << '[';
-      interleave(Values, OS, ",");
-      OS << ']';
-    });
-    Json.attributeEnd();
-  }
-
-  void writeThreads() {
-    Json.attributeObject("threads", [&] {
-      flatArray("instructions",
-                map_range(Stats.Threads, [](const ThreadStatistics &Thread) {
-                  return Thread.Instructions;
-                }));
-      flatArray("finish_cycle",
-                map_range(Stats.Threads, [](const ThreadStatistics &Thread) {
-                  return Thread.FinishCycle;
-                }));
-      flatArray("own_cycles",
-                map_range(Stats.Threads, [&](const ThreadStatistics &Thread) {
-                  return Run.ownCycles(Thread);
-                }));
-      if (!Run.Rays.empty())
-        flatArray("rays", Run.Rays);
-      if (!Run.RayProfiles.empty())
-        writeThreadProfiles();
-    });
-  }
-
-  template <typename Function>
-  void writeProfiles(StringRef Name, Function Count) {
-    flatArray(Name, map_range(Run.RayProfiles, Count));
-  }
-
-  void writeThreadProfiles() {
-    using Profile = const RayProfile &;
-    writeProfiles("nodes_visited",
-                  [](Profile P) { return P.NodesVisited.Total; });
-    writeProfiles("triangles_visited",
-                  [](Profile P) { return P.TrianglesVisited.Total; });
-    writeProfiles("nodes_from_memory",
-                  [](Profile P) { return P.NodesFromMemory.Total; });
-    writeProfiles("triangles_from_memory",
-                  [](Profile P) { return P.TrianglesFromMemory.Total; });
-    if (none_of(Run.RayProfiles, [](Profile P) { return P.Cache; }))
-      return;
-    auto Cached = [](uint64_t CacheProfile::*Count) {
-      return [Count](Profile P) { return P.Cache ? (*P.Cache).*Count : 0; };
-    };
-    writeProfiles("cache_visits", Cached(&CacheProfile::Visits));
-    writeProfiles("cache_hits", Cached(&CacheProfile::Hits));
-    writeProfiles("cache_deletions", Cached(&CacheProfile::Deletions));
   }
 };
 

@@ -14,7 +14,7 @@
 namespace tp {
 
 /// Raised when a name in the JSON changes its meaning or goes away.
-inline constexpr int JsonFormatVersion = 1;
+inline constexpr int JsonFormatVersion = 2;
 
 /// Writes \p Run as JSON; docs/statistics.md lists the names. The text depends
 /// on the simulation only: no host time, path or thread count is in it.

@@ -16,7 +16,7 @@ template <class Counts>
 static void subtract(Counts &From, const Counts &Earlier,
                      std::span<const MemoryCount<Counts>> Members) {
   for (const MemoryCount<Counts> &Count : Members)
-    if (!Count.IsMaximum)
+    if (Count.Kind != CountKind::Maximum)
       From.*Count.Member -= Earlier.*Count.Member;
 }
 
@@ -26,7 +26,8 @@ static void add(Counts &Sum, const Counts &Later,
   for (const MemoryCount<Counts> &Count : Members) {
     uint64_t &Value = Sum.*Count.Member;
     uint64_t More = Later.*Count.Member;
-    Value = Count.IsMaximum ? std::max(Value, More) : Value + More;
+    Value =
+        Count.Kind == CountKind::Maximum ? std::max(Value, More) : Value + More;
   }
 }
 

@@ -19,12 +19,21 @@
 
 namespace tp {
 
+/// What the difference of a count between two pauses means.
+enum class CountKind : uint8_t {
+  /// What was counted between them.
+  Sum,
+  /// Nothing: the most since the run's start remains.
+  Maximum,
+  /// By how much what is there now has grown; it may be negative, modulo 2^64.
+  Level,
+};
+
 /// A count of \p Counts with its name in JSON.
 template <class Counts> struct MemoryCount {
   const char *Name;
   uint64_t Counts::*Member;
-  /// A most rather than a sum.
-  bool IsMaximum = false;
+  CountKind Kind = CountKind::Sum;
 };
 
 inline constexpr MemoryCount<CacheStatistics> CacheCounts[] = {
@@ -57,6 +66,9 @@ inline constexpr MemoryCount<CrossbarStatistics> CrossbarCounts[] = {
 inline constexpr MemoryCount<DramChannelStatistics> DramCounts[] = {
     {"reads", &DramChannelStatistics::Reads},
     {"writes", &DramChannelStatistics::Writes},
+    {"forwarded_reads", &DramChannelStatistics::ForwardedReads},
+    {"merged_writes", &DramChannelStatistics::MergedWrites},
+    {"pending", &DramChannelStatistics::Pending, CountKind::Level},
     {"row_hits", &DramChannelStatistics::RowHits},
     {"row_misses", &DramChannelStatistics::RowMisses},
     {"row_conflicts", &DramChannelStatistics::RowConflicts},
@@ -69,8 +81,10 @@ inline constexpr MemoryCount<DramChannelStatistics> DramCounts[] = {
     {"refresh_ticks", &DramChannelStatistics::RefreshTicks},
     {"read_queue_ticks", &DramChannelStatistics::ReadQueueTicks},
     {"write_queue_ticks", &DramChannelStatistics::WriteQueueTicks},
-    {"max_read_queue", &DramChannelStatistics::MaxReadQueue, true},
-    {"max_write_queue", &DramChannelStatistics::MaxWriteQueue, true},
+    {"max_read_queue", &DramChannelStatistics::MaxReadQueue,
+     CountKind::Maximum},
+    {"max_write_queue", &DramChannelStatistics::MaxWriteQueue,
+     CountKind::Maximum},
     {"read_latency_cycles", &DramChannelStatistics::ReadLatencySum},
 };
 

@@ -6,7 +6,9 @@
 
 #include "simulator/stats/RunSummary.h"
 
-#include "llvm/ADT/Twine.h"
+#include "simulator/stats/Ratio.h"
+
+#include "llvm/Support/ErrorHandling.h"
 
 #include <algorithm>
 #include <numeric>
@@ -47,11 +49,6 @@ const char *lossName(Loss Reason) {
     return "finished";
   }
   llvm_unreachable("every loss has a name");
-}
-
-/// \p Part of \p Whole, where nothing of nothing is 0.
-static double ratio(double Part, double Whole) {
-  return Whole == 0 ? 0 : Part / Whole;
 }
 
 uint64_t RunSummary::threadCycles() const {
@@ -139,42 +136,6 @@ largestFirst(const std::array<uint64_t, NumOpcodes> &Counts) {
               return A.Count != B.Count ? A.Count > B.Count : A.Op < B.Op;
             });
   return Sorted;
-}
-
-Error checkSums(const ChipConfig &Chip, const Statistics &Stats) {
-  auto Check = [](const Twine &What, uint64_t Sum, uint64_t Expected) -> Error {
-    if (Sum == Expected)
-      return Error::success();
-    return createStringError("internal error: " + What + " add up to " +
-                             Twine(Sum) + " instead of " + Twine(Expected));
-  };
-  if (Error E = Check("the threads with statistics", Stats.Threads.size(),
-                      Chip.threadCount()))
-    return E;
-  uint64_t ThreadInstructions = 0;
-  for (size_t I = 0; I != Stats.Threads.size(); ++I) {
-    const ThreadStatistics &Thread = Stats.Threads[I];
-    ThreadInstructions += Thread.Instructions;
-    uint64_t Lost =
-        std::accumulate(Thread.Lost.begin(), Thread.Lost.end(), uint64_t(0));
-    if (Error E = Check("instructions and losses of thread " + Twine(I),
-                        Thread.Instructions + Lost, Stats.Cycles))
-      return E;
-  }
-  auto Sum = [](const std::array<uint64_t, NumOpcodes> &Counts) {
-    return std::accumulate(Counts.begin(), Counts.end(), uint64_t(0));
-  };
-  if (Error E = Check("instructions by opcode", Sum(Stats.Executed),
-                      ThreadInstructions))
-    return E;
-  uint64_t Waits = 0;
-  for (unsigned I = 0; I != NumLosses; ++I)
-    if (isWaitForResult(Loss(I)))
-      Waits += Stats.lost(Loss(I));
-  if (Error E = Check("data stalls by opcode", Sum(Stats.DataStall), Waits))
-    return E;
-  return Check("unit conflicts by opcode", Sum(Stats.UnitConflict),
-               Stats.lost(Loss::UnitConflict));
 }
 
 } // namespace tp

@@ -9,10 +9,10 @@
 
 #include "kernels/profile/RayProfile.h"
 #include "simulator/chip/ChipConfig.h"
+#include "simulator/loader/Symbolizer.h"
 #include "simulator/stats/Statistics.h"
 
-#include "llvm/Support/Error.h"
-
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +44,12 @@ struct RunSummary {
   std::optional<ImageSettings> Image;
   /// What the rays of each thread did; empty if the program does not report it.
   std::vector<RayProfile> RayProfiles = {};
+  /// Where the program's text begins, and its words.
+  uint32_t TextBegin = 0;
+  std::vector<Opcode> Opcodes = {};
+  /// The source of the instruction at an address, innermost function first; set
+  /// if the counts by instruction are to be shown.
+  std::function<std::vector<SourceFrame>(uint32_t Pc)> FramesOf = {};
 
   /// Threads times cycles: what issues and losses add up to.
   uint64_t threadCycles() const;
@@ -93,11 +99,6 @@ struct OpcodeCount {
 /// The nonzero counts, largest first; equal counts in the order of Opcode.
 std::vector<OpcodeCount>
 largestFirst(const std::array<uint64_t, NumOpcodes> &Counts);
-
-/// Checks that each thread's instructions and losses add up to the run's
-/// cycles and that the counts by opcode add up to those of the threads. An
-/// error is a bug of the simulator.
-llvm::Error checkSums(const ChipConfig &Chip, const Statistics &Stats);
 
 } // namespace tp
 

@@ -19,7 +19,8 @@ struct HostSpeed {
   unsigned Threads = 1;
 };
 
-/// Writes one screen about \p Run: 80 columns, about 40 lines.
+/// Writes one screen about \p Run: at most 100 columns and 50
+/// lines.
 void writeTable(const RunSummary &Run, const HostSpeed &Speed,
                 llvm::raw_ostream &OS);
 

@@ -6,13 +6,11 @@
 
 #include "test/unit/stats/SmallRun.h"
 
-#include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
 #include <set>
 
 using namespace tp;
-using testing::HasSubstr;
 
 TEST(RunSummary, DerivesRates) {
   SmallRun Small;
@@ -106,33 +104,4 @@ TEST(LargestFirst, SortsAndDropsZeros) {
   ASSERT_EQ(Sorted.size(), 2u);
   EXPECT_EQ(mnemonic(Sorted[0].Op), "add");
   EXPECT_EQ(Sorted[1].Count, 10u);
-}
-
-static std::string sumError(const SmallRun &Small) {
-  return llvm::toString(checkSums(Small.Chip, Small.Stats));
-}
-
-TEST(CheckSums, AcceptsARightRun) { EXPECT_EQ(sumError(SmallRun()), ""); }
-
-TEST(CheckSums, SeesEveryKindOfError) {
-  SmallRun LostCycle;
-  --LostCycle.Stats.Threads[1].Lost[unsigned(Loss::Finished)];
-  EXPECT_THAT(sumError(LostCycle),
-              HasSubstr("losses of thread 1 add up to 99 instead of 100"));
-
-  SmallRun MissingThread;
-  MissingThread.Stats.Threads.pop_back();
-  EXPECT_THAT(sumError(MissingThread), HasSubstr("threads with statistics"));
-
-  SmallRun WrongExecuted;
-  ++WrongExecuted.Stats.Executed[0];
-  EXPECT_THAT(sumError(WrongExecuted), HasSubstr("instructions by opcode"));
-
-  SmallRun WrongStall;
-  ++WrongStall.Stats.DataStall[0];
-  EXPECT_THAT(sumError(WrongStall), HasSubstr("data stalls by opcode"));
-
-  SmallRun WrongConflict;
-  ++WrongConflict.Stats.UnitConflict[0];
-  EXPECT_THAT(sumError(WrongConflict), HasSubstr("unit conflicts by opcode"));
 }

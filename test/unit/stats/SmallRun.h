@@ -13,10 +13,11 @@ namespace tp {
 
 /// 2 TMs of 1 TP for 100 cycles at 2 GHz. Thread 0 issues 60 `add` and 10
 /// `lw`, waits 20 cycles for memory and 10 for the INTADD unit. Thread 1 issues
-/// 40 `add` and has finished at cycle 40.
+/// 40 `add` and has finished at cycle 40. The text is the two instructions.
 struct SmallRun {
   ChipConfig Chip;
   Statistics Stats;
+  std::vector<Opcode> Opcodes = {Opcode::ADD, Opcode::LW};
 
   SmallRun() {
     Chip.Name = "small";
@@ -39,10 +40,18 @@ struct SmallRun {
     Stats.Threads[1].Instructions = 40;
     Stats.Threads[1].FinishCycle = 40;
     Stats.Threads[1].Lost[unsigned(Loss::Finished)] = 60;
+    Stats.Pcs.resize(2);
+    Stats.Pcs[0].Executed = 100;
+    Stats.Pcs[0].Lost[unsigned(Loss::Memory)] = 20;
+    Stats.Pcs[0].Lost[unsigned(Loss::UnitConflict)] = 10;
+    Stats.Pcs[1].Executed = 10;
   }
 
   RunSummary summary() const {
-    return RunSummary{Chip, Stats, "finished", 0, {}, std::nullopt};
+    RunSummary Run{Chip, Stats, "finished", 0, {}, std::nullopt};
+    Run.TextBegin = 0x10000;
+    Run.Opcodes = Opcodes;
+    return Run;
   }
 };
 
