@@ -74,7 +74,7 @@ private:
   void visitText(const KeyInfo &Key, std::string &Value) override {
     row(Key, "text", Value);
   }
-  bool beginSection(const SectionInfo &Section, bool) override {
+  bool beginSection(const SectionInfo &Section, bool HasValue) override {
     const KeyInfo &Key = Section.Key;
     if (isKnown(Key))
       return false;
@@ -82,7 +82,7 @@ private:
     if (!Section.Folder.empty())
       OS << "keys, the name of a file in `" << Section.Folder
          << "/`, or its path";
-    OS << " | " << (Key.P == Presence::Optional ? "none " : "") << "|\n";
+    OS << " | " << (HasValue ? "" : "none ") << "|\n";
     Prefixes.push_back(pathOf(Key) + ".");
     return true;
   }
