@@ -79,6 +79,7 @@ void writeMemory(const RunSummary &Run, json::OStream &Json) {
   MemorySummary Memory =
       summarizeMemory(Run.Chip, Run.Stats.Cycles, *Run.Stats.Memory);
   Json.attributeObject("memory", [&] {
+    writeCounts(*Run.Stats.Memory, FlowCounts, Json);
     if (Memory.L1)
       writeCache("l1", *Memory.L1, Json);
     if (Memory.Crossbar)

@@ -42,6 +42,7 @@ MemoryStatistics difference(const MemoryStatistics &Later,
                             const MemoryStatistics &Earlier) {
   assert(Later.DramChannels.size() == Earlier.DramChannels.size());
   MemoryStatistics Result = Later;
+  subtract<MemoryStatistics>(Result, Earlier, FlowCounts);
   if (Result.L1)
     subtract<CacheStatistics>(*Result.L1, *Earlier.L1, CacheCounts);
   if (Result.L2)
@@ -61,6 +62,7 @@ MemoryStatistics difference(const MemoryStatistics &Later,
 
 void add(MemoryStatistics &Sum, const MemoryStatistics &Later) {
   assert(Sum.DramChannels.size() == Later.DramChannels.size());
+  add<MemoryStatistics>(Sum, Later, FlowCounts);
   if (Sum.L1)
     add<CacheStatistics>(*Sum.L1, *Later.L1, CacheCounts);
   if (Sum.L2)

@@ -88,6 +88,16 @@ inline constexpr MemoryCount<DramChannelStatistics> DramCounts[] = {
     {"read_latency_cycles", &DramChannelStatistics::ReadLatencySum},
 };
 
+/// Between the levels, in units of the level that receives them.
+inline constexpr MemoryCount<MemoryStatistics> FlowCounts[] = {
+    {"sent_by_tms", &MemoryStatistics::SentByTms},
+    {"sent_by_tms_under_way", &MemoryStatistics::SentByTmsUnderWay,
+     CountKind::Level},
+    {"sent_by_l2s", &MemoryStatistics::SentByL2s},
+    {"sent_by_l2s_under_way", &MemoryStatistics::SentByL2sUnderWay,
+     CountKind::Level},
+};
+
 static_assert(sizeof(CacheStatistics) ==
                   std::size(CacheCounts) * sizeof(uint64_t),
               "a count has no name");

@@ -23,7 +23,8 @@ public:
     CacheSummary Result;
     Result.Counts = Counts;
     Result.Caches = Caches;
-    Result.HitRate = ratio(Counts.Hits, Counts.Loads);
+    Result.HitRate =
+        ratio(Counts.Hits, Counts.Hits + Counts.Misses + Counts.Merged);
     uint64_t Served =
         Counts.Loads + Counts.Stores + Counts.Atomics + Counts.Fetches;
     Result.BankUtilisation =
@@ -56,7 +57,8 @@ public:
     Result.Written = bandwidth(Counts.Writes * Config.BurstBytes);
     Result.MeanReadQueue = ratio(Counts.ReadQueueTicks, Counts.Ticks);
     Result.MeanWriteQueue = ratio(Counts.WriteQueueTicks, Counts.Ticks);
-    Result.MeanReadLatency = ratio(Counts.ReadLatencySum, Counts.Reads);
+    Result.MeanReadLatency =
+        ratio(Counts.ReadLatencySum, Counts.Reads + Counts.ForwardedReads);
     return Result;
   }
 

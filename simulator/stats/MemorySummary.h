@@ -36,7 +36,7 @@ struct CacheSummary {
   CacheStatistics Counts;
   /// Caches of this level on the chip.
   uint64_t Caches = 0;
-  /// Hits per load, 0 to 1.
+  /// Hits of all that is a hit, a miss or merged, 0 to 1.
   double HitRate = 0;
   /// Share of the requests that the banks could have served, 0 to 1.
   double BankUtilisation = 0;

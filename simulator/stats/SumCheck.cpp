@@ -6,6 +6,7 @@
 
 #include "simulator/stats/SumCheck.h"
 
+#include "simulator/stats/MemoryCounts.h"
 #include "simulator/stats/RunSummary.h"
 
 #include "llvm/ADT/Twine.h"
@@ -83,9 +84,10 @@ public:
               Stats.lost(Loss(I)));
   }
 
-  void checkCache(const char *Level, const CacheStatistics &Counts) {
-    check(Twine("hits, misses and merged loads of the ") + Level,
-          Counts.Hits + Counts.Misses + Counts.Merged, Counts.Loads);
+  void checkCache(const char *Level, const CacheStatistics &Counts,
+                  uint64_t Lookups) {
+    check(Twine("hits, misses and merged requests of the ") + Level,
+          Counts.Hits + Counts.Misses + Counts.Merged, Lookups);
   }
 
   void checkDram(const DramChannelStatistics &Counts, size_t Channel) {
@@ -93,16 +95,37 @@ public:
           Counts.RowHits + Counts.RowMisses + Counts.RowConflicts,
           Counts.Reads + Counts.Writes);
     check("latencies of reads from DRAM channel " + Twine(Channel),
-          sumOf(Counts.ReadLatency), Counts.Reads);
+          sumOf(Counts.ReadLatency), Counts.Reads + Counts.ForwardedReads);
+  }
+
+  /// What one level sends arrives at the next.
+  void checkFlow(const MemoryStatistics &Memory) {
+    DramChannelStatistics Sum = sumOfChannels(Memory.DramChannels);
+    uint64_t AtDram = Sum.Reads + Sum.Writes + Sum.ForwardedReads +
+                      Sum.MergedWrites + Sum.Pending;
+    bool HasDram = !Memory.DramChannels.empty();
+    if (const std::optional<CacheStatistics> &L2 = Memory.L2)
+      check("requests from TMs at the L2s",
+            L2->Loads + L2->Stores + L2->Atomics + L2->Fetches +
+                Memory.SentByTmsUnderWay,
+            Memory.SentByTms);
+    if (HasDram && Memory.L2)
+      check("requests from L2s at the DRAM", AtDram + Memory.SentByL2sUnderWay,
+            Memory.SentByL2s);
+    if (HasDram && !Memory.L2)
+      check("requests from TMs at the DRAM", AtDram + Memory.SentByTmsUnderWay,
+            Memory.SentByTms);
   }
 
   void checkMemory(const MemoryStatistics &Memory) {
     if (Memory.L1)
-      checkCache("L1", *Memory.L1);
+      checkCache("L1", *Memory.L1, Memory.L1->Loads);
     if (Memory.L2)
-      checkCache("L2", *Memory.L2);
+      checkCache("L2", *Memory.L2,
+                 Memory.L2->Loads + Memory.L2->Fetches + Memory.L2->Atomics);
     for (size_t I = 0; I != Memory.DramChannels.size(); ++I)
       checkDram(Memory.DramChannels[I], I);
+    checkFlow(Memory);
   }
 
   llvm::Error result() const {

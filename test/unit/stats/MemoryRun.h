@@ -34,6 +34,9 @@ struct MemoryRun : SmallRun {
 
     Stats.GlobalAccesses = 10;
     MemoryStatistics &Memory = Stats.Memory.emplace();
+    Memory.SentByTms = 20;
+    Memory.SentByL2s = 10;
+    Memory.SentByL2sUnderWay = 1;
     CacheStatistics &L1 = Memory.L1.emplace();
     L1.Loads = 40;
     L1.Hits = 30;
@@ -66,6 +69,7 @@ struct MemoryRun : SmallRun {
     }
     Memory.DramChannels[1].ReadQueueTicks = 75;
     Memory.DramChannels[1].MaxReadQueue = 4;
+    Memory.DramChannels[1].Pending = 1;
   }
 };
 

@@ -70,6 +70,14 @@ TEST(Statistics, LaterMarkersCount) {
   EXPECT_EQ(Run.Stats.Markers, (std::vector<uint64_t>{2, 5}));
 }
 
+// What is under way may become less.
+TEST(Statistics, LevelsMayFall) {
+  MemoryRun Run;
+  Statistics Later = Run.Stats;
+  Later.Memory->SentByL2sUnderWay = 0;
+  EXPECT_EQ(int64_t(Later.since(Run.Stats).Memory->SentByL2sUnderWay), -1);
+}
+
 TEST(Statistics, ChannelsAddUp) {
   MemoryRun Run;
   DramChannelStatistics Sum = sumOfChannels(Run.Stats.Memory->DramChannels);

@@ -73,11 +73,11 @@ TEST(CheckSums, SeesWrongInstructions) {
 TEST(CheckSums, SeesWrongLevelsOfMemory) {
   MemoryRun L1;
   ++L1.Stats.Memory->L1->Hits;
-  EXPECT_THAT(sumError(L1), HasSubstr("loads of the L1"));
+  EXPECT_THAT(sumError(L1), HasSubstr("requests of the L1"));
 
   MemoryRun L2;
   --L2.Stats.Memory->L2->Merged;
-  EXPECT_THAT(sumError(L2), HasSubstr("loads of the L2"));
+  EXPECT_THAT(sumError(L2), HasSubstr("requests of the L2"));
 
   MemoryRun Rows;
   ++Rows.Stats.Memory->DramChannels[1].RowConflicts;
@@ -87,4 +87,24 @@ TEST(CheckSums, SeesWrongLevelsOfMemory) {
   ++Latencies.Stats.Memory->DramChannels[0].ReadLatency[3];
   EXPECT_THAT(sumError(Latencies),
               HasSubstr("latencies of reads from DRAM channel 0"));
+}
+
+TEST(CheckSums, SeesLossesBetweenLevels) {
+  MemoryRun BehindTheL1;
+  ++BehindTheL1.Stats.Memory->SentByTmsUnderWay;
+  EXPECT_THAT(sumError(BehindTheL1),
+              HasSubstr("from TMs at the L2s add up to 21 instead of 20"));
+
+  MemoryRun BehindTheL2;
+  ++BehindTheL2.Stats.Memory->SentByL2s;
+  EXPECT_THAT(sumError(BehindTheL2),
+              HasSubstr("from L2s at the DRAM add up to 10 instead of 11"));
+
+  MemoryRun WithoutL2;
+  WithoutL2.Stats.Memory->L2.reset();
+  WithoutL2.Stats.Memory->SentByTms = 9;
+  EXPECT_EQ(sumError(WithoutL2), "");
+  WithoutL2.Stats.Memory->DramChannels[0].Pending = 1;
+  EXPECT_THAT(sumError(WithoutL2),
+              HasSubstr("from TMs at the DRAM add up to 10 instead of 9"));
 }
