@@ -27,8 +27,8 @@ uint64_t tp::minimumDramWriteCycles(const DramConfig &Config) {
 DramChannel::DramChannel(const DramConfig &Config, uint64_t ChipKHz)
     : Config(Config), Clock(Config.ClockKHz, ChipKHz), Mapping(Config),
       Device(Config), NextRefresh(Config.RefiTicks ? Config.RefiTicks : Never),
-      Reads(Device.banks(), Config.RowHitLimit),
-      Writes(Device.banks(), Config.RowHitLimit) {}
+      Reads(DramCommandKind::Read, Device.banks(), Config.RowHitLimit),
+      Writes(DramCommandKind::Write, Device.banks(), Config.RowHitLimit) {}
 
 void DramChannel::enqueue(const DramRequest &Request) {
   uint64_t ArrivalTick = Clock.tickAtOrAfter(Request.Cycle);
@@ -43,11 +43,19 @@ void DramChannel::advance(uint64_t Horizon, std::vector<DramAnswer> &Answers) {
   uint64_t End = Clock.tickAtOrAfter(Horizon);
   while (Tick < End) {
     admitArrivals(Answers);
-    chooseDirection();
-    TickResult Result = Tick >= NextRefresh ? refreshStep() : schedule(Answers);
-    NextReady = Result.Issued ? Tick + 1 : Result.Next;
-    if (!Arrivals.empty() && Arrivals.front().Tick > Tick)
-      NextReady = std::min(NextReady, Arrivals.front().Tick);
+    if (turns()) {
+      Writing = !Writing;
+      BurstsOfPhase = 0;
+      Counts.WriteDrains += Writing;
+    }
+    uint64_t Bursts = BurstsOfPhase;
+    NextReady = Tick >= NextRefresh ? refreshStep() : schedule(Answers);
+    bool HasLeft = BurstsOfPhase != Bursts;
+    if (!Arrivals.empty() && (Arrivals.front().Tick > Tick || HasLeft))
+      NextReady =
+          std::min(NextReady, std::max(Arrivals.front().Tick, Tick + 1));
+    if (HasLeft && turns())
+      NextReady = Tick + 1;
     moveTo(std::min(NextReady, End));
   }
 }
@@ -108,29 +116,22 @@ bool DramChannel::admit(const DramRequest &Request,
   return true;
 }
 
-void DramChannel::chooseDirection() {
+bool DramChannel::turns() const {
   uint64_t Turn = Config.WriteHighMark - Config.WriteLowMark;
-  bool Other;
   if (Writing)
-    Other = Writes.empty() ||
-            (!Reads.empty() &&
-             (Writes.size() <= Config.WriteLowMark || BurstsOfPhase >= Turn));
-  else
-    Other = !Writes.empty() &&
-            (Reads.empty() ||
-             (Writes.size() >= Config.WriteHighMark && BurstsOfPhase >= Turn));
-  if (!Other)
-    return;
-  Writing = !Writing;
-  BurstsOfPhase = 0;
-  Counts.WriteDrains += Writing;
+    return Writes.empty() ||
+           (!Reads.empty() &&
+            (Writes.size() <= Config.WriteLowMark || BurstsOfPhase >= Turn));
+  return !Writes.empty() &&
+         (Reads.empty() ||
+          (Writes.size() >= Config.WriteHighMark && BurstsOfPhase >= Turn));
 }
 
-DramChannel::TickResult DramChannel::refreshStep() {
+uint64_t DramChannel::refreshStep() {
   if (Device.hasOpenRow()) {
     uint64_t Earliest = Device.earliestPrechargeAll();
     if (Tick < Earliest)
-      return {false, Earliest};
+      return Earliest;
     note(DramCommandKind::PrechargeAll);
     for (uint32_t Bank = 0; Bank < Device.banks(); ++Bank)
       Counts.Precharges += Device.openRow(Bank) != DramDevice::NoRow;
@@ -139,48 +140,58 @@ DramChannel::TickResult DramChannel::refreshStep() {
       Reads.rowChanged(Bank, DramDevice::NoRow);
       Writes.rowChanged(Bank, DramDevice::NoRow);
     }
-    return {true, 0};
+    return Tick + 1;
   }
   uint64_t Earliest = Device.earliestRefresh();
   if (Tick < Earliest)
-    return {false, Earliest};
+    return Earliest;
   note(DramCommandKind::Refresh);
   Device.refresh(Tick);
   NextRefresh += Config.RefiTicks;
   ++Counts.Refreshes;
   Counts.RefreshTicks += Config.RfcTicks;
-  return {true, 0};
+  return Tick + 1;
 }
 
-DramChannel::TickResult
-DramChannel::schedule(std::vector<DramAnswer> &Answers) {
+uint64_t DramChannel::earliest(uint32_t Bank) const {
+  return queue().wants(Bank)
+             ? Device.earliest(queue().candidate(Bank).Wants, Bank)
+             : Never;
+}
+
+uint64_t DramChannel::schedule(std::vector<DramAnswer> &Answers) {
   struct {
     uint64_t Age = Never;
     uint32_t Bank = 0;
   } Column, Row;
   uint64_t Next = NextRefresh;
+  unsigned Ready = 0;
   for (uint64_t Banks = queue().wantingBanks(); Banks; Banks &= Banks - 1) {
     uint32_t Bank = std::countr_zero(Banks);
     const DramQueue::Candidate &Candidate = queue().candidate(Bank);
-    bool IsColumn = Candidate.Wants == DramQueue::Want::Column;
-    uint64_t Earliest = IsColumn ? (Writing ? Device.earliestWrite(Bank)
-                                            : Device.earliestRead(Bank))
-                        : Candidate.Wants == DramQueue::Want::Activate
-                            ? Device.earliestActivate(Bank)
-                            : Device.earliestPrecharge(Bank);
-    auto &Best = IsColumn ? Column : Row;
-    if (Earliest > Tick)
+    uint64_t Earliest = Device.earliest(Candidate.Wants, Bank);
+    if (Earliest > Tick) {
       Next = std::min(Next, Earliest);
-    else if (Candidate.Age < Best.Age)
+      continue;
+    }
+    ++Ready;
+    auto &Best = isColumnCommand(Candidate.Wants) ? Column : Row;
+    if (Candidate.Age < Best.Age)
       Best = {Candidate.Age, Bank};
   }
+  // Commands only make others later, but those of their own bank.
   bool HasColumn = Column.Age != Never;
-  bool HasRow = Row.Age != Never && (!HasColumn || Config.CommandBuses == 2);
-  if (HasColumn)
+  if (HasColumn) {
     issueColumn(Column.Bank, Answers);
-  if (HasRow)
+    Next = std::min(Next, earliest(Column.Bank));
+    --Ready;
+  }
+  if (Row.Age != Never && (!HasColumn || Config.CommandBuses == 2)) {
     issueRow(Row.Bank);
-  return {HasColumn || HasRow, Next};
+    Next = std::min(Next, earliest(Row.Bank));
+    --Ready;
+  }
+  return Ready != 0 ? Tick + 1 : std::max(Next, Tick + 1);
 }
 
 void DramChannel::issueColumn(uint32_t Bank, std::vector<DramAnswer> &Answers) {
@@ -205,7 +216,7 @@ void DramChannel::issueColumn(uint32_t Bank, std::vector<DramAnswer> &Answers) {
 void DramChannel::issueRow(uint32_t Bank) {
   DramQueue &Other = Writing ? Reads : Writes;
   const DramQueue::Candidate &Candidate = queue().candidate(Bank);
-  if (Candidate.Wants == DramQueue::Want::Activate) {
+  if (Candidate.Wants == DramCommandKind::Activate) {
     uint32_t Row = queue().oldest(Bank).Row;
     note(DramCommandKind::Activate, Bank, Row);
     Device.activate(Tick, Bank, Row);

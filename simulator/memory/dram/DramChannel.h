@@ -93,23 +93,24 @@ private:
     }
   };
 
-  /// What the tick at hand does to the ticks after it.
-  struct TickResult {
-    bool Issued;
-    /// The next tick in which a command may be issued if nothing arrives.
-    uint64_t Next;
-  };
-
   DramQueue &queue() { return Writing ? Writes : Reads; }
+  const DramQueue &queue() const { return Writing ? Writes : Reads; }
   bool hasRequests() const {
     return !Arrivals.empty() || !Reads.empty() || !Writes.empty();
   }
 
   void admitArrivals(std::vector<DramAnswer> &Answers);
   bool admit(const DramRequest &Request, std::vector<DramAnswer> &Answers);
-  void chooseDirection();
-  TickResult refreshStep();
-  TickResult schedule(std::vector<DramAnswer> &Answers);
+  /// Whether the bus is to turn before the next command.
+  bool turns() const;
+  /// Each issues what the tick at hand allows, and returns a tick after it,
+  /// before which no more commands can be issued unless something arrives or
+  /// the bus turns.
+  uint64_t refreshStep();
+  uint64_t schedule(std::vector<DramAnswer> &Answers);
+  /// The first tick in which the device may get what \p Bank wants; ~0 if that
+  /// is nothing.
+  uint64_t earliest(uint32_t Bank) const;
   void issueColumn(uint32_t Bank, std::vector<DramAnswer> &Answers);
   void issueRow(uint32_t Bank);
   void answerRead(uint64_t ArrivalCycle, uint64_t DataEnd, uint64_t Tag,

@@ -36,15 +36,22 @@ public:
 
   /// The last cycle at or before \p Tick.
   uint64_t cycleAtOrBefore(uint64_t Tick) const {
-    return uint64_t(static_cast<unsigned __int128>(Tick) * Cycles / Ticks);
+    uint64_t Product;
+    if (__builtin_mul_overflow(Tick, Cycles, &Product))
+      return uint64_t(static_cast<unsigned __int128>(Tick) * Cycles / Ticks);
+    return Product / Ticks;
   }
 
 private:
   static uint64_t ceilingOfRatio(uint64_t Count, uint64_t Factor,
                                  uint64_t Divisor) {
-    return uint64_t(
-        (static_cast<unsigned __int128>(Count) * Factor + Divisor - 1) /
-        Divisor);
+    uint64_t Sum;
+    if (__builtin_mul_overflow(Count, Factor, &Sum) ||
+        __builtin_add_overflow(Sum, Divisor - 1, &Sum))
+      return uint64_t(
+          (static_cast<unsigned __int128>(Count) * Factor + Divisor - 1) /
+          Divisor);
+    return Sum / Divisor;
   }
 
   /// Ticks ticks take as long as Cycles cycles.

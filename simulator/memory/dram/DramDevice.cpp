@@ -8,26 +8,27 @@
 
 using namespace tp;
 
-static void delay(uint64_t &Earliest, uint64_t Tick) {
-  Earliest = std::max(Earliest, Tick);
-}
+using Kind = DramCommandKind;
 
 DramDevice::DramDevice(const DramConfig &Config)
     : Config(Config), Banks(Config.BankGroups * Config.BanksPerGroup),
-      Groups(Config.BankGroups) {}
+      Groups(Config.BankGroups) {
+  for (uint32_t Bank = 0; Bank < banks(); ++Bank)
+    Banks[Bank].Group = Bank / Config.BanksPerGroup;
+}
 
 uint64_t DramDevice::earliestPrechargeAll() const {
   uint64_t Tick = 0;
   for (const BankState &Bank : Banks)
     if (Bank.OpenRow != NoRow)
-      delay(Tick, Bank.Precharge);
+      Tick = std::max(Tick, Bank[Kind::Precharge]);
   return Tick;
 }
 
 uint64_t DramDevice::earliestRefresh() const {
   uint64_t Tick = 0;
   for (const BankState &Bank : Banks)
-    delay(Tick, Bank.Activate);
+    Tick = std::max(Tick, Bank[Kind::Activate]);
   return Tick;
 }
 
@@ -40,18 +41,19 @@ bool DramDevice::hasOpenRow() const {
 void DramDevice::activate(uint64_t Tick, uint32_t Bank, uint32_t Row) {
   BankState &State = Banks[Bank];
   State.OpenRow = Row;
-  delay(State.Read, Tick + Config.RcdReadTicks);
-  delay(State.Write, Tick + Config.RcdWriteTicks);
-  delay(State.Precharge, Tick + Config.RasTicks);
-  delay(groupOf(Bank).Activate, Tick + Config.RrdLongTicks);
-  delay(Channel.Activate, Tick + Config.RrdShortTicks);
+  State.delay(Kind::Read, Tick + Config.RcdReadTicks);
+  State.delay(Kind::Write, Tick + Config.RcdWriteTicks);
+  State.delay(Kind::Precharge, Tick + Config.RasTicks);
+  groupOf(Bank).delay(Kind::Activate, Tick + Config.RrdLongTicks);
+  Channel.delay(Kind::Activate, Tick + Config.RrdShortTicks);
   FourActivates[NextActivate] = Tick + Config.FawTicks;
   NextActivate = (NextActivate + 1) % FourActivates.size();
+  Channel.delay(Kind::Activate, FourActivates[NextActivate]);
 }
 
 void DramDevice::precharge(uint64_t Tick, uint32_t Bank) {
   Banks[Bank].OpenRow = NoRow;
-  delay(Banks[Bank].Activate, Tick + Config.RpTicks);
+  Banks[Bank].delay(Kind::Activate, Tick + Config.RpTicks);
 }
 
 void DramDevice::prechargeAll(uint64_t Tick) {
@@ -61,24 +63,24 @@ void DramDevice::prechargeAll(uint64_t Tick) {
 }
 
 void DramDevice::read(uint64_t Tick, uint32_t Bank) {
-  delay(Banks[Bank].Precharge, Tick + Config.RtpTicks);
-  delay(groupOf(Bank).Read, Tick + Config.CcdLongTicks);
-  delay(Channel.Read, Tick + Config.CcdShortTicks);
-  delay(Channel.Write, Tick + Config.RtwTicks);
+  Banks[Bank].delay(Kind::Precharge, Tick + Config.RtpTicks);
+  groupOf(Bank).delay(Kind::Read, Tick + Config.CcdLongTicks);
+  Channel.delay(Kind::Read, Tick + Config.CcdShortTicks);
+  Channel.delay(Kind::Write, Tick + Config.RtwTicks);
 }
 
 void DramDevice::write(uint64_t Tick, uint32_t Bank) {
   uint64_t DataEnd = Tick + Config.CwlTicks + Config.BurstTicks;
-  delay(Banks[Bank].Precharge, DataEnd + Config.WrTicks);
-  delay(groupOf(Bank).Write, Tick + Config.CcdLongTicks);
-  delay(groupOf(Bank).Read, DataEnd + Config.WtrLongTicks);
-  delay(Channel.Write, Tick + Config.CcdShortTicks);
-  delay(Channel.Read, DataEnd + Config.WtrShortTicks);
+  Banks[Bank].delay(Kind::Precharge, DataEnd + Config.WrTicks);
+  groupOf(Bank).delay(Kind::Write, Tick + Config.CcdLongTicks);
+  groupOf(Bank).delay(Kind::Read, DataEnd + Config.WtrLongTicks);
+  Channel.delay(Kind::Write, Tick + Config.CcdShortTicks);
+  Channel.delay(Kind::Read, DataEnd + Config.WtrShortTicks);
 }
 
 void DramDevice::refresh(uint64_t Tick) {
   for (BankState &Bank : Banks)
-    delay(Bank.Activate, Tick + Config.RfcTicks);
+    Bank.delay(Kind::Activate, Tick + Config.RfcTicks);
 }
 
 void DramDevice::serialize(Archive &A) {

@@ -17,16 +17,23 @@
 
 namespace tp {
 
-enum class DramCommandKind : uint8_t {
+enum class DramCommandKind : uint32_t {
   Activate,
   Precharge,
-  /// Closes all open rows.
-  PrechargeAll,
   Read,
   Write,
+  /// Closes all open rows.
+  PrechargeAll,
   /// Of all banks.
   Refresh,
 };
+inline constexpr unsigned NumBankCommands =
+    unsigned(DramCommandKind::Write) + 1;
+
+/// Reads and writes are column commands, the others row commands.
+constexpr bool isColumnCommand(DramCommandKind Kind) {
+  return Kind == DramCommandKind::Read || Kind == DramCommandKind::Write;
+}
 
 /// A command as a channel issues it.
 struct DramCommand {
@@ -50,20 +57,11 @@ public:
   /// NoRow if the bank is precharged.
   uint32_t openRow(uint32_t Bank) const { return Banks[Bank].OpenRow; }
 
-  /// The first tick at which the command keeps all rules, if none is issued
-  /// before.
-  uint64_t earliestActivate(uint32_t Bank) const {
-    return std::max({Banks[Bank].Activate, groupOf(Bank).Activate,
-                     Channel.Activate, FourActivates[NextActivate]});
-  }
-  uint64_t earliestPrecharge(uint32_t Bank) const {
-    return Banks[Bank].Precharge;
-  }
-  uint64_t earliestRead(uint32_t Bank) const {
-    return std::max({Banks[Bank].Read, groupOf(Bank).Read, Channel.Read});
-  }
-  uint64_t earliestWrite(uint32_t Bank) const {
-    return std::max({Banks[Bank].Write, groupOf(Bank).Write, Channel.Write});
+  /// The first tick at which a command to \p Bank keeps all rules, if none is
+  /// issued before.
+  uint64_t earliest(DramCommandKind Kind, uint32_t Bank) const {
+    const BankState &State = Banks[Bank];
+    return std::max({State[Kind], Groups[State.Group][Kind], Channel[Kind]});
   }
   uint64_t earliestPrechargeAll() const;
   /// For a device without open rows.
@@ -83,21 +81,21 @@ private:
   /// First ticks that the commands to a bank, a group or the channel so far
   /// leave to the next one of each kind.
   struct Earliest {
-    uint64_t Activate = 0;
-    uint64_t Read = 0;
-    uint64_t Write = 0;
+    std::array<uint64_t, NumBankCommands> Ticks{};
+
+    uint64_t operator[](DramCommandKind Kind) const {
+      return Ticks[unsigned(Kind)];
+    }
+    void delay(DramCommandKind Kind, uint64_t Tick) {
+      Ticks[unsigned(Kind)] = std::max(Ticks[unsigned(Kind)], Tick);
+    }
   };
   struct BankState : Earliest {
-    uint64_t Precharge = 0;
-    uint64_t OpenRow = NoRow;
+    uint32_t OpenRow = NoRow;
+    uint32_t Group = 0;
   };
 
-  const Earliest &groupOf(uint32_t Bank) const {
-    return Groups[Bank / Config.BanksPerGroup];
-  }
-  Earliest &groupOf(uint32_t Bank) {
-    return Groups[Bank / Config.BanksPerGroup];
-  }
+  Earliest &groupOf(uint32_t Bank) { return Groups[Banks[Bank].Group]; }
 
   DramConfig Config;
   std::vector<BankState> Banks;

@@ -55,22 +55,21 @@ void DramQueue::choose(uint32_t Bank, uint32_t OpenRow) {
   Candidate &C = Candidates[Bank];
   uint64_t Bit = uint64_t(1) << Bank;
   if (Waiting.empty()) {
-    C = {};
     WantingBanks &= ~Bit;
     return;
   }
   WantingBanks |= Bit;
-  C = {Waiting.front().Age, Want::Activate, 0};
+  C = {Waiting.front().Age, DramCommandKind::Activate, 0};
   if (OpenRow == DramDevice::NoRow)
     return;
-  C.Wants = Want::Precharge;
+  C.Wants = DramCommandKind::Precharge;
   auto Hit = std::find_if(
       Waiting.begin(), Waiting.end(),
       [&](const DramQueueEntry &Entry) { return Entry.Row == OpenRow; });
   if (Hit == Waiting.end())
     return;
   if (Hit == Waiting.begin() || HitsPassed[Bank] < RowHitLimit)
-    C = {Hit->Age, Want::Column, uint32_t(Hit - Waiting.begin())};
+    C = {Hit->Age, Column, uint32_t(Hit - Waiting.begin())};
 }
 
 void DramQueue::serialize(Archive &A) {

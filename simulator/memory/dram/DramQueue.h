@@ -31,18 +31,17 @@ struct DramQueueEntry {
 /// The read or the write queue of a channel: what each bank wants next.
 class DramQueue {
 public:
-  enum class Want : uint32_t { Nothing, Activate, Precharge, Column };
-
   /// Of a bank: the command it wants, and for which of its entries.
   struct Candidate {
     uint64_t Age = 0;
-    Want Wants = Want::Nothing;
+    DramCommandKind Wants = DramCommandKind::Activate;
     uint32_t Index = 0;
   };
 
-  DramQueue(uint32_t Banks, uint32_t RowHitLimit)
-      : RowHitLimit(RowHitLimit), Entries(Banks), HitsPassed(Banks),
-        Candidates(Banks) {}
+  /// \p Column is the command that serves an entry, Read or Write.
+  DramQueue(DramCommandKind Column, uint32_t Banks, uint32_t RowHitLimit)
+      : Column(Column), RowHitLimit(RowHitLimit), Entries(Banks),
+        HitsPassed(Banks), Candidates(Banks) {}
 
   bool empty() const { return Size == 0; }
   uint64_t size() const { return Size; }
@@ -51,12 +50,14 @@ public:
   const DramQueueEntry &oldest(uint32_t Bank) const {
     return Entries[Bank].front();
   }
-  const Candidate &candidate(uint32_t Bank) const { return Candidates[Bank]; }
   /// Bit b is set if bank b wants anything.
   uint64_t wantingBanks() const { return WantingBanks; }
+  bool wants(uint32_t Bank) const { return WantingBanks >> Bank & 1; }
+  /// Of a bank that wants anything.
+  const Candidate &candidate(uint32_t Bank) const { return Candidates[Bank]; }
 
   void add(const DramQueueEntry &Entry, uint32_t Bank, uint32_t OpenRow);
-  /// Takes out the entry whose Column command is issued.
+  /// Takes out the entry whose column command is issued.
   DramQueueEntry take(uint32_t Bank, uint32_t OpenRow);
   /// A bank's row has been opened or closed for the bank's oldest entry.
   void noteActivate(uint32_t Bank, uint32_t OpenRow);
@@ -69,6 +70,7 @@ public:
 private:
   void choose(uint32_t Bank, uint32_t OpenRow);
 
+  DramCommandKind Column;
   uint32_t RowHitLimit;
   uint64_t Size = 0;
   uint64_t WantingBanks = 0;

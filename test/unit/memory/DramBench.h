@@ -109,7 +109,7 @@ private:
            Kind == DramCommandKind::Refresh;
   }
   static std::string name(DramCommandKind Kind) {
-    constexpr const char *Names[] = {"ACT", "PRE", "PREA", "RD", "WR", "REF"};
+    constexpr const char *Names[] = {"ACT", "PRE", "RD", "WR", "PREA", "REF"};
     return Names[unsigned(Kind)];
   }
 };
