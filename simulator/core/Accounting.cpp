@@ -5,27 +5,49 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/core/Accounting.h"
+#include "simulator/core/ThreadRequests.h"
 
 #include <algorithm>
 
 namespace tp {
 
-/// What a thread loses from its end on.
-static Loss lossAfterEnd(ThreadState State) {
-  return State == ThreadState::AtBarrier ? Loss::Barrier : Loss::Finished;
+/// The cycle up to which all cycles of the thread are charged.
+static uint64_t accountedTo(const Thread &T, uint64_t NextCycle) {
+  if (T.State != ThreadState::Running)
+    return T.EndCycle;
+  if (T.Requests && T.Requests->waitsFor() != Awaited::Nothing)
+    return T.Requests->suspendedAt();
+  return NextCycle;
+}
+
+/// What the thread loses from there on.
+static Loss currentLoss(const Thread &T) {
+  if (T.State == ThreadState::AtBarrier)
+    return Loss::Barrier;
+  if (T.State != ThreadState::Running)
+    return Loss::Finished;
+  switch (T.Requests->waitsFor()) {
+  case Awaited::StoreEntry:
+    return Loss::StoreBuffer;
+  case Awaited::AllStores:
+    return Loss::Sync;
+  default:
+    return Loss::Memory;
+  }
 }
 
 static ThreadStatistics summarizeThread(const Thread &T, uint64_t NextCycle,
                                         uint64_t Cycles, Statistics &Sum) {
   ThreadStatistics Result;
   Result.Lost = T.Lost;
-  bool Ended = T.State != ThreadState::Running;
-  uint64_t Accounted = Ended ? T.EndCycle : NextCycle;
+  uint64_t Accounted = accountedTo(T, NextCycle);
   Result.Instructions = Accounted - T.totalLost();
   LossCounts &LostAt = Sum.Pcs[T.LastWord].Lost;
   if (Accounted < Cycles) {
-    Loss Reason = lossAfterEnd(T.State);
+    Loss Reason = currentLoss(T);
     Result.Lost[unsigned(Reason)] += Cycles - Accounted;
+    if (isWaitForResult(Reason))
+      Sum.DataStall[unsigned(T.LastProducer)] += Cycles - Accounted;
     if (Reason != Loss::Finished)
       LostAt[unsigned(Reason)] += Cycles - Accounted;
   }

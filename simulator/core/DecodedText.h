@@ -7,6 +7,7 @@
 #ifndef TP_SIMULATOR_CORE_DECODEDTEXT_H
 #define TP_SIMULATOR_CORE_DECODEDTEXT_H
 
+#include "simulator/core/CodeGenerator.h"
 #include "simulator/core/Handlers.h"
 #include "simulator/core/Program.h"
 #include "simulator/core/ResourceLayout.h"
@@ -51,6 +52,31 @@ std::vector<Slot<Word>> decodeText(const Program &Text, const ChipConfig &Chip,
   }
   Slots.push_back({0, Handlers<Word, Mode>::endOfText(), {}, 0});
   return Slots;
+}
+
+/// What a code generator must know of \p Slots, which decodeText() made. What
+/// it points to are the arguments.
+template <class Word>
+CodeSubject describeText(const std::vector<Slot<Word>> &Slots,
+                         const Program &Text, const ChipContext &Context,
+                         const ResourceLayout &Layout, bool FlushToZero) {
+  CodeSubject Result;
+  Result.Text = &Text;
+  Result.Context = &Context;
+  Result.FlushToZero = FlushToZero;
+  Result.Guards = Layout.guards();
+  Result.Slots = Slots.data();
+  Result.SlotBytes = sizeof(Slot<Word>);
+  Result.HandlerOffset = offsetof(Slot<Word>, Execute);
+  Result.WordBytes = sizeof(Word);
+  for (const Slot<Word> &S : Slots) {
+    Result.Interpreter.push_back(reinterpret_cast<const void *>(S.Execute));
+    Result.Uses.push_back(S.Use);
+    Result.Results.push_back(S.Result);
+  }
+  Result.WaitForTarget = reinterpret_cast<const void *>(
+      Handlers<Word, Subnormals::Keep>::afterTakenBranch());
+  return Result;
 }
 
 } // namespace tp

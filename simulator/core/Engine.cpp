@@ -27,8 +27,10 @@ static std::string findError(const ChipConfig &Chip, const Program &Text,
   if (Chip.TpsPerTm > OrderKeyLimit || Chip.TmCount > OrderKeyLimit)
     return "more than 65536 TMs, or TPs per TM";
   if (Chip.ArbitrationWindow == 0 ||
-      Chip.ArbitrationWindow > Chip.MemoryLatency)
+      (!Chip.hasMemorySystem() && Chip.ArbitrationWindow > Chip.MemoryLatency))
     return "the arbitration window is not within 1 and the memory latency";
+  if (Chip.ArbitrationWindow > MaxLatency)
+    return "the arbitration window is above " + std::to_string(MaxLatency);
   for (uint32_t Latency : Chip.Latency)
     if (Latency == 0 || Latency > MaxLatency)
       return "a latency is not within 1 and " + std::to_string(MaxLatency);
@@ -52,13 +54,16 @@ static EngineFactory chooseEngine(unsigned Bits, bool FlushToZero) {
   return FlushToZero ? makeEngine<WideWord, true> : makeEngine<WideWord, false>;
 }
 
-Engine::Engine(const ChipConfig &Chip, const Program &Text, Memory &Global) {
+Engine::Engine(const ChipConfig &Chip, const Program &Text, Memory &Global,
+               std::unique_ptr<MemorySystem> Hierarchy) {
   ResourceLayout Layout(Chip);
   Error = findError(Chip, Text, Global, Layout);
+  if (Error.empty() && Chip.hasMemorySystem() != bool(Hierarchy))
+    Error = "the chip's caches and DRAM are not those of its memory system";
   if (!Error.empty())
     return;
   EngineFactory Factory = chooseEngine(Layout.bits(), Chip.FlushToZero);
-  Implementation = Factory(Chip, Text, Global, Layout);
+  Implementation = Factory(Chip, Text, Global, Layout, std::move(Hierarchy));
   if (!Implementation->isMapped())
     Error = "the host has no room for the local stores";
 }
@@ -71,6 +76,10 @@ void Engine::setHostThreads(unsigned Count) {
 
 void Engine::setObserver(ProfileObserver *Observer) {
   Implementation->setObserver(Observer);
+}
+
+void Engine::setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) {
+  Implementation->setCodeGenerator(std::move(Generator));
 }
 
 void Engine::setOutput(OutputFunction Function) {

@@ -17,6 +17,7 @@
 #include "simulator/core/Memory.h"
 #include "simulator/core/Program.h"
 #include "simulator/core/Trap.h"
+#include "simulator/memory/MemorySystem.h"
 #include "simulator/stats/Statistics.h"
 
 #include <atomic>
@@ -78,14 +79,17 @@ struct RunLimits {
   ProgressFunction Report;
 };
 
+class CodeGenerator;
 class EngineImplementation;
 
 /// Simulates a program on a chip, cycle by cycle. Cycles, memory, output and
 /// statistics depend on nothing but chip, program and memory contents.
 class Engine {
 public:
-  /// Program and memory must outlive the engine.
-  Engine(const ChipConfig &Chip, const Program &Text, Memory &Global);
+  /// Program and memory must outlive the engine. \p Hierarchy is what
+  /// makeMemorySystem() gives for the chip.
+  Engine(const ChipConfig &Chip, const Program &Text, Memory &Global,
+         std::unique_ptr<MemorySystem> Hierarchy = nullptr);
   ~Engine();
 
   /// Why this chip cannot be simulated (a latency or count beyond what the
@@ -102,6 +106,9 @@ public:
   void setObserver(ProfileObserver *Observer);
   /// Where host calls write; without it output is dropped.
   void setOutput(OutputFunction Function);
+  /// Who compiles hot code, before the first run(). Without one the reference
+  /// engine does everything; it changes nothing but speed.
+  void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator);
 
   /// Where the threads, by their number, begin; instead of at the program's
   /// entry with registers and local stores of zeros. Before the first run().

@@ -7,6 +7,7 @@
 #ifndef TP_SIMULATOR_CORE_ENGINEIMPLEMENTATION_H
 #define TP_SIMULATOR_CORE_ENGINEIMPLEMENTATION_H
 
+#include "simulator/core/CodeGenerator.h"
 #include "simulator/core/Engine.h"
 #include "simulator/core/ResourceLayout.h"
 #include "simulator/core/Thread.h"
@@ -26,6 +27,7 @@ public:
   virtual void setObserver(ProfileObserver *Observer) = 0;
   virtual void setOutput(OutputFunction Function) = 0;
   virtual void setInitialState(std::span<const ArchitecturalState> States) = 0;
+  virtual void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) = 0;
   virtual RunResult run(const RunLimits &Limits) = 0;
   virtual uint64_t cycles() const = 0;
   virtual Statistics statistics() const = 0;
@@ -34,14 +36,15 @@ public:
 
 using EngineFactory = std::unique_ptr<EngineImplementation> (*)(
     const ChipConfig &Chip, const Program &Text, Memory &Global,
-    const ResourceLayout &Layout);
+    const ResourceLayout &Layout, std::unique_ptr<MemorySystem> Hierarchy);
 
 /// Makes the engine for resource words of type \p Word; one translation unit
 /// each.
 template <class Word, bool FlushToZero>
 std::unique_ptr<EngineImplementation>
 makeEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
-           const ResourceLayout &Layout);
+           const ResourceLayout &Layout,
+           std::unique_ptr<MemorySystem> Hierarchy);
 
 } // namespace tp
 

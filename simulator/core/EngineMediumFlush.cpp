@@ -10,6 +10,7 @@ namespace tp {
 
 template std::unique_ptr<EngineImplementation>
 makeEngine<unsigned __int128, true>(const ChipConfig &, const Program &,
-                                    Memory &, const ResourceLayout &);
+                                    Memory &, const ResourceLayout &,
+                                    std::unique_ptr<MemorySystem>);
 
 } // namespace tp

@@ -10,6 +10,7 @@ namespace tp {
 
 template std::unique_ptr<EngineImplementation>
 makeEngine<uint64_t, true>(const ChipConfig &, const Program &, Memory &,
-                           const ResourceLayout &);
+                           const ResourceLayout &,
+                           std::unique_ptr<MemorySystem>);
 
 } // namespace tp

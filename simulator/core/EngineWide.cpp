@@ -10,6 +10,7 @@ namespace tp {
 
 template std::unique_ptr<EngineImplementation>
 makeEngine<WideWord, false>(const ChipConfig &, const Program &, Memory &,
-                            const ResourceLayout &);
+                            const ResourceLayout &,
+                            std::unique_ptr<MemorySystem>);
 
 } // namespace tp

@@ -36,6 +36,9 @@ public:
     /// The instruction has not been executed: it must wait for the end of the
     /// window, for the result of Blocker.
     Blocked,
+    /// The instruction has not been executed: its store found the store buffer
+    /// full.
+    StoreBufferFull,
   };
 
   ExecutionContext(Thread &T, TmRunnerState &Runner, uint32_t Pc,
@@ -82,7 +85,6 @@ public:
     }
     if (!Runner.Chip.isGlobal(At)) [[unlikely]]
       return trap(AddressSpace::badAddress(At), At), T();
-    ResultReady = readyAfter(Runner.Chip.MemoryLatency, true);
     T Value = hostLoad<T>(Runner.Chip.Global + At);
     if (Runner.OwnWords & Runner.wordBit(At)) [[unlikely]] {
       uint32_t Bits = 0;
@@ -96,6 +98,9 @@ public:
       std::memcpy(&Value, &Bits, sizeof(T));
     }
     ++Runner.GlobalAccesses;
+    ResultReady = Runner.Memory ? Runner.requestLoad(this->T, Destination, Op,
+                                                     Cycle, At, sizeof(T))
+                                : readyAfter(Runner.Chip.MemoryLatency, true);
     return Value;
   }
 
@@ -108,6 +113,11 @@ public:
     }
     if (!Runner.Chip.isWritable(At)) [[unlikely]]
       return trap(Runner.Chip.badStore(At), At);
+    if (Runner.Memory && !Runner.requestStore(this->T, Cycle, At, sizeof(T)))
+        [[unlikely]] {
+      Kind = Outcome::StoreBufferFull;
+      return;
+    }
     ++Runner.GlobalAccesses;
     GlobalAccess &Access = log(GlobalAccess::Store, At, Value);
     Access.Bytes = sizeof(T);
@@ -127,8 +137,7 @@ public:
     }
     if (!Runner.Chip.isWritable(At)) [[unlikely]]
       return trap(Runner.Chip.badStore(At), At), 0;
-    defer(readyAfter(Runner.Chip.MemoryLatency, true));
-    ++Runner.GlobalAccesses;
+    deferToMemory(At);
     GlobalAccess &Access = log(GlobalAccess::Atomic, At, Operand);
     Access.AtomicOperation = Function;
     Access.Extra = Expected;
@@ -144,8 +153,7 @@ public:
       return trap(TrapKind::BadStream, Descriptor), 0;
     if (!Runner.Chip.isWritable(Descriptor))
       return trap(Runner.Chip.badStore(Descriptor), Descriptor), 0;
-    defer(readyAfter(Runner.Chip.MemoryLatency, true));
-    ++Runner.GlobalAccesses;
+    deferToMemory(Descriptor);
     GlobalAccess &Access = log(GlobalAccess::Stream, Descriptor, Value);
     Access.StreamOperation = Function;
     Runner.OwnWords = ~uint64_t(0);
@@ -166,6 +174,8 @@ public:
   void sync() {
     charge(Loss::Sync, Runner.End - (Cycle + 1));
     leaveUntil(Runner.Epoch + Runner.End);
+    if (Runner.Memory)
+      Runner.awaitStores(T);
   }
 
   void sleep(uint32_t Cycles) {
@@ -225,6 +235,12 @@ private:
   void defer(ReadyWord When) {
     ResultReady = When;
     Deferred = true;
+  }
+
+  void deferToMemory(uint32_t At) {
+    ++Runner.GlobalAccesses;
+    defer(Runner.Memory ? Runner.requestAtomic(T, Destination, Op, Cycle, At)
+                        : readyAfter(Runner.Chip.MemoryLatency, true));
   }
 
   GlobalAccess &log(GlobalAccess::AccessKind AccessKind, uint32_t At,

@@ -14,44 +14,9 @@
 #define TP_SIMULATOR_CORE_HANDLERS_H
 
 #include "simulator/core/ExecutionContext.h"
-
-#include <algorithm>
+#include "simulator/core/Waiting.h"
 
 namespace tp {
-
-template <class Word> struct Slot;
-
-/// A host thread's working state with its table of resources.
-template <class Word> struct TmRunner : TmRunnerState {
-  /// The text, one slot per word and one behind it.
-  const Slot<Word> *Slots = nullptr;
-  Word IcacheGuards = 0;
-  Word Guards = 0;
-  /// What each cycle of the window still has free in the TM at hand; after the
-  /// last cycle comes a closed one.
-  std::vector<Word> Free;
-};
-
-/// The state of the running thread: itself, the instruction at hand, the
-/// relative cycle, the resource table such that Free[Cycle] is this cycle's,
-/// and all guard bits.
-#define TP_HANDLER_PARAMETERS                                                  \
-  Thread *T, const Slot<Word> *S, uint64_t Cycle, Word *Free, TmRunner<Word> *R
-#define TP_HANDLER_ARGUMENTS T, S, Cycle, Free, R
-#define TP_TAIL_CALL [[clang::musttail]] return
-
-template <class Word>
-using Handler = void(__attribute__((preserve_none)) *)(TP_HANDLER_PARAMETERS);
-
-/// A decoded instruction, ready for one chip.
-template <class Word> struct Slot {
-  /// What it takes of its cycle's resources.
-  Word Use;
-  Handler<Word> Execute;
-  tp::Instruction Instruction;
-  /// Ready word of the result, to which the cycle of issue is added.
-  ReadyWord Result;
-};
 
 template <class Word, Subnormals Mode> struct Handlers {
   /// The handler of an opcode; of IllegalOpcode one that traps.
@@ -69,6 +34,9 @@ template <class Word, Subnormals Mode> struct Handlers {
   /// traps if that was too far.
   static Handler<Word> afterStackMove() { return checkStack; }
 
+  /// Charges a taken branch, which is the thread's LastWord.
+  static Handler<Word> afterTakenBranch() { return waitForTarget; }
+
   /// Follows the last word of the text.
   static Handler<Word> endOfText() {
     return trapAtFetch<TrapKind::FetchOutsideText>;
@@ -82,19 +50,8 @@ private:
       return deliver<Op>;
   }
 
-  static uint32_t wordOf(const Slot<Word> *S, const TmRunner<Word> *R) {
-    return uint32_t(S - R->Slots);
-  }
   static uint32_t pcOf(const Slot<Word> *S, const TmRunner<Word> *R) {
     return R->Chip.TextBegin + wordOf(S, R) * 4;
-  }
-
-  template <unsigned Count>
-  static ReadyWord latestSource(const Thread *T, const Slot<Word> *S) {
-    ReadyWord Latest = 0;
-    for (unsigned I = 0; I != Count; ++I)
-      Latest = std::max(Latest, T->Ready[S->Instruction.Source[I]]);
-    return Latest;
   }
 
   template <Opcode Op>
@@ -119,6 +76,8 @@ private:
                         C.trapAddress());
     if (C.outcome() == Outcome::Blocked) [[unlikely]]
       return block(T, S, Cycle, R, C.blocker());
+    if (C.outcome() == Outcome::StoreBufferFull) [[unlikely]]
+      TP_TAIL_CALL waitForStoreBuffer(TP_HANDLER_ARGUMENTS);
 
     Free[Cycle] = Used;
     ++R->ExecutedAt[wordOf(S, R)];
@@ -153,7 +112,10 @@ private:
     using Instruction = Body<Op>;
     static_assert(!Instruction::HasDestination);
     ReadyWord Latest = latestSource<Instruction::NumSources>(T, S);
-    if (ready::cycleOf(Latest) > Cycle && isUnknownBefore(Latest)) [[unlikely]]
+    // A thread can be at a message in the cycle after the window, before the
+    // window's commit.
+    if (ready::cycleOf(Latest) >= std::min(Cycle + 1, R->End) &&
+        isUnknownBefore(Latest)) [[unlikely]]
       TP_TAIL_CALL waitForData(TP_HANDLER_ARGUMENTS);
     Instruction Run(S->Instruction, T->Registers.data());
     ExecutionContext<Op, Mode> C(*T, *R, pcOf(S, R), Cycle,
@@ -175,7 +137,7 @@ private:
     if (StackPointer >= R->Chip.StackLimit) [[likely]]
       TP_TAIL_CALL of(S->Instruction.Op)(TP_HANDLER_ARGUMENTS);
     if (Cycle >= R->Limit)
-      return leave(T, S, Cycle, R);
+      return waiting::leave(T, S, Cycle, R);
     stopAtTrap(T, R, pcOf(S - 1, R), Cycle, TrapKind::StackOverflow,
                StackPointer);
   }
@@ -184,20 +146,36 @@ private:
   __attribute__((preserve_none)) static void
   trapAtFetch(TP_HANDLER_PARAMETERS) {
     if (Cycle >= R->Limit)
-      return leave(T, S, Cycle, R);
+      return waiting::leave(T, S, Cycle, R);
     stopAtTrap(T, R, pcOf(S, R), Cycle, Reason, pcOf(S, R));
   }
 
   __attribute__((preserve_none, noinline)) static void
   waitForData(TP_HANDLER_PARAMETERS) {
     ReadyWord Latest = latestSource<3>(T, S);
+    if (ready::isPending(Latest))
+      return waiting::suspend(T, S, Cycle, R, Awaited::Sources,
+                              ready::producerOf(Latest));
     uint64_t Lost = ready::cycleOf(Latest) - Cycle;
-    bool FromGlobal = Latest & ready::FromGlobalMemory;
-    chargeData(T, S, R, FromGlobal ? Loss::Memory : Loss::Data,
-               ready::producerOf(Latest), Lost);
+    waiting::chargeSources(T, S, R, Latest, Lost);
     Cycle += Lost;
     if (Cycle >= R->Limit)
-      return leave(T, S, Cycle, R);
+      return waiting::leave(T, S, Cycle, R);
+    TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  __attribute__((preserve_none, noinline)) static void
+  waitForStoreBuffer(TP_HANDLER_PARAMETERS) {
+    uint64_t FreeFrom = T->Requests->oldestStore().FreeFrom;
+    if (FreeFrom == ThreadRequests::NeverFree)
+      return waiting::suspend(T, S, Cycle, R, Awaited::StoreEntry,
+                              S->Instruction.Op);
+    uint64_t Lost = FreeFrom - (R->Epoch + Cycle);
+    waiting::chargeProducer(T, wordOf(S, R), R, Loss::StoreBuffer,
+                            S->Instruction.Op, Lost);
+    Cycle += Lost;
+    if (Cycle >= R->Limit)
+      return waiting::leave(T, S, Cycle, R);
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
   }
 
@@ -217,7 +195,7 @@ private:
       LostHere[unsigned(Reason)] += Cycles;
     }
     if (Cycle >= R->Limit)
-      return leave(T, S, Cycle, R);
+      return waiting::leave(T, S, Cycle, R);
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
   }
 
@@ -228,28 +206,16 @@ private:
     R->charge(*T, T->LastWord, Loss::Branch, Lost);
     Cycle += Lost;
     if (Cycle >= R->Limit)
-      return leave(T, S, Cycle, R);
+      return waiting::leave(T, S, Cycle, R);
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
-  }
-
-  static void chargeData(Thread *T, const Slot<Word> *S, TmRunner<Word> *R,
-                         Loss Reason, Opcode Producer, uint64_t Cycles) {
-    R->charge(*T, wordOf(S, R), Reason, Cycles);
-    T->LastProducer = Producer;
-    R->DataStall[unsigned(Producer)] += Cycles;
-  }
-
-  static void leave(Thread *T, const Slot<Word> *S, uint64_t Cycle,
-                    TmRunner<Word> *R) {
-    T->Resume = S;
-    R->NextCycle = R->Epoch + Cycle;
   }
 
   [[gnu::noinline]] static void block(Thread *T, const Slot<Word> *S,
                                       uint64_t Cycle, TmRunner<Word> *R,
                                       Opcode Producer) {
-    chargeData(T, S, R, Loss::Memory, Producer, R->End - Cycle);
-    leave(T, S, R->End, R);
+    waiting::chargeProducer(T, wordOf(S, R), R, Loss::Memory, Producer,
+                            R->End - Cycle);
+    waiting::leave(T, S, R->End, R);
   }
 
   [[gnu::noinline]] static void stopAtTrap(Thread *T, TmRunner<Word> *R,

@@ -20,9 +20,7 @@ static void waitWhile(std::atomic<uint32_t> &Atomic, uint32_t Value) {
   Atomic.wait(Value, std::memory_order_acquire);
 }
 
-HostThreadPool::HostThreadPool(unsigned Count,
-                               std::function<void(unsigned)> Job)
-    : Job(std::move(Job)) {
+HostThreadPool::HostThreadPool(unsigned Count) {
   for (unsigned I = 1; I < Count; ++I)
     Helpers.emplace_back([this, I] { help(I); });
 }
@@ -35,13 +33,14 @@ HostThreadPool::~HostThreadPool() {
     Helper.join();
 }
 
-void HostThreadPool::run() {
+void HostThreadPool::run(const Job &ToDo) {
   if (Helpers.empty())
-    return Job(0);
+    return ToDo(0);
+  Current = &ToDo;
   Busy.store(uint32_t(Helpers.size()), std::memory_order_relaxed);
   Started.fetch_add(1, std::memory_order_release);
   Started.notify_all();
-  Job(0);
+  ToDo(0);
   while (uint32_t Left = Busy.load(std::memory_order_acquire))
     waitWhile(Busy, Left);
 }
@@ -51,7 +50,7 @@ void HostThreadPool::help(unsigned Number) {
     waitWhile(Started, Seen);
     if (Ending)
       return;
-    Job(Number);
+    (*Current)(Number);
     if (Busy.fetch_sub(1, std::memory_order_acq_rel) == 1)
       Busy.notify_one();
   }

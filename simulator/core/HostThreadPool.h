@@ -20,18 +20,20 @@ namespace tp {
 /// moment before they sleep.
 class HostThreadPool {
 public:
-  /// \p Job gets the number of the host thread, 0 for the caller of run().
-  HostThreadPool(unsigned Count, std::function<void(unsigned)> Job);
+  /// Gets the number of the host thread, 0 for the caller of run().
+  using Job = std::function<void(unsigned)>;
+
+  explicit HostThreadPool(unsigned Count);
   ~HostThreadPool();
 
   unsigned size() const { return unsigned(Helpers.size()) + 1; }
   /// Runs the job once on all threads.
-  void run();
+  void run(const Job &ToDo);
 
 private:
   void help(unsigned Number);
 
-  std::function<void(unsigned)> Job;
+  const Job *Current = nullptr;
   /// Number of jobs started.
   std::atomic<uint32_t> Started = 0;
   /// Helpers that have not finished the current job.

@@ -15,9 +15,13 @@ ResourceLayout::Limit ResourceLayout::place(uint32_t Capacity,
   // A TP starts one instruction a cycle: this limit can never bind.
   if (Capacity >= Users && Interval == 1)
     return {};
-  Limit Result{true, Bits, unsigned(std::bit_width(Capacity)), Capacity,
-               Interval};
-  Bits += Result.CounterBits + 1;
+  unsigned CounterBits = unsigned(std::bit_width(Capacity));
+  if (Bits / PartBits != (Bits + CounterBits) / PartBits)
+    Bits = (Bits / PartBits + 1) * PartBits;
+  if (Bits % PartBits == 0)
+    ++Bits;
+  Limit Result{true, Bits, CounterBits, Capacity, Interval};
+  Bits += CounterBits + 1;
   return Result;
 }
 
@@ -38,6 +42,13 @@ ResourceLayout::ResourceLayout(const ChipConfig &Chip) {
   for (const Limit &Type : Units)
     if (Type.Exists)
       Guards |= Type.guard();
+}
+
+WideWord ResourceLayout::closed() const {
+  WideWord Result = 0;
+  for (unsigned Part = 0; Part < Bits; Part += PartBits)
+    Result |= WideWord(1) << Part;
+  return Result;
 }
 
 WideWord ResourceLayout::Limit::unused(uint64_t Cycle) const {

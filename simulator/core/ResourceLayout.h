@@ -25,7 +25,10 @@ namespace tp {
 /// Wide enough for the limits of any chip.
 using WideWord = unsigned _BitInt(512);
 
-/// Places of the limits in the word.
+/// Places of the limits in the word. No limit lies across a boundary between
+/// parts of PartBits bits, and each part says for itself whether the cycle is
+/// closed: whoever knows which parts an instruction uses can leave the others
+/// alone.
 class ResourceLayout {
 public:
   explicit ResourceLayout(const ChipConfig &Chip);
@@ -38,7 +41,7 @@ public:
   /// The word of a cycle in which nothing has started yet.
   WideWord unused(uint64_t Cycle) const;
   /// The word of a cycle in which nothing may start.
-  WideWord closed() const { return WideWord(1) << ClosedBit; }
+  WideWord closed() const;
   /// All guard bits, and those of the icache banks.
   WideWord guards() const { return Guards; }
   WideWord icacheGuards() const { return IcacheGuards; }
@@ -59,14 +62,15 @@ private:
     WideWord one() const { return Exists ? WideWord(1) << Shift : WideWord(0); }
   };
 
-  static constexpr unsigned ClosedBit = 0;
+  /// The lowest bit of a part says that the cycle is closed.
+  static constexpr unsigned PartBits = 64;
 
   Limit place(uint32_t Capacity, uint32_t Interval, uint32_t Users);
 
   unsigned Bits = 1;
   std::array<Limit, NumUnits> Units;
   std::vector<Limit> Banks;
-  WideWord Guards = 1;
+  WideWord Guards = 0;
   WideWord IcacheGuards = 0;
   bool Uniform = true;
 };

@@ -15,6 +15,8 @@
 
 namespace tp {
 
+class ThreadRequests;
+
 /// When a register's value is ready and who makes it, in one word whose order
 /// is the order in time: the cycle relative to the engine's epoch, whether it
 /// comes from global memory, the opcode of the producer.
@@ -26,7 +28,9 @@ inline constexpr unsigned CycleShift = 9;
 inline constexpr ReadyWord FromGlobalMemory = 1 << 8;
 inline constexpr ReadyWord OpcodeMask = FromGlobalMemory - 1;
 /// Relative cycles must stay below this.
-inline constexpr uint64_t CycleLimit = uint64_t(1) << (32 - CycleShift);
+inline constexpr uint64_t CycleLimit = (uint64_t(1) << (32 - CycleShift)) - 1;
+/// The cycle of a result that is not known to be ready in any.
+inline constexpr uint64_t PendingCycle = CycleLimit;
 
 static_assert(NumOpcodes <= OpcodeMask);
 
@@ -38,7 +42,21 @@ constexpr ReadyWord after(uint32_t Latency, Opcode Producer,
          ReadyWord(Producer);
 }
 
+/// The word for a result whose cycle the memory system will tell.
+constexpr ReadyWord pending(Opcode Producer) {
+  return ReadyWord(PendingCycle << CycleShift) | FromGlobalMemory |
+         ReadyWord(Producer);
+}
+
 constexpr uint64_t cycleOf(ReadyWord Word) { return Word >> CycleShift; }
+constexpr bool isPending(ReadyWord Word) {
+  return cycleOf(Word) == PendingCycle;
+}
+/// The word with another cycle.
+constexpr ReadyWord withCycle(ReadyWord Word, uint64_t Cycle) {
+  constexpr ReadyWord Rest = (1 << CycleShift) - 1;
+  return ReadyWord(Cycle << CycleShift) | (Word & Rest);
+}
 constexpr Opcode producerOf(ReadyWord Word) {
   return Opcode(Word & OpcodeMask);
 }
@@ -57,6 +75,8 @@ struct Thread {
   /// Host address that simulated address 0 would have if all of the address
   /// space were as the local store is.
   uintptr_t LocalStoreBias = 0;
+  /// Null on a chip without a memory system.
+  ThreadRequests *Requests = nullptr;
   /// Cycles lost so far, also those that are still ahead of a sleeping thread.
   LossCounts Lost{};
   /// The cycle after the last instruction of a thread that is at a barrier or

@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/core/TmRunner.h"
+#include "simulator/core/ThreadRequests.h"
 
 #include <algorithm>
 
@@ -28,6 +29,58 @@ void TmRunnerState::countMarker(uint32_t Number) {
   if (Number >= Markers.size())
     Markers.resize(Number + 1);
   ++Markers[Number];
+}
+
+MemoryRequest TmRunnerState::request(const Thread &T, RequestKind Kind,
+                                     uint64_t Cycle, uint32_t Address,
+                                     unsigned Bytes, uint32_t Ticket) const {
+  MemoryRequest Result;
+  Result.Cycle = Epoch + Cycle;
+  Result.Address = Address;
+  Result.Ticket = Ticket;
+  Result.Priority = priorityOf(OwnOrder);
+  Result.Tp = uint16_t(T.Number % Chip.Chip->TpsPerTm);
+  Result.Bytes = uint16_t(Bytes);
+  Result.Kind = Kind;
+  return Result;
+}
+
+ReadyWord TmRunnerState::requestLoad(Thread &T, uint8_t Destination, Opcode Op,
+                                     uint64_t Cycle, uint32_t Address,
+                                     unsigned Bytes) {
+  bool GoneOn = !Chip.Chip->L1;
+  uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, GoneOn);
+  Memory->request(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket));
+  return ready::pending(Op);
+}
+
+ReadyWord TmRunnerState::requestAtomic(Thread &T, uint8_t Destination,
+                                       Opcode Op, uint64_t Cycle,
+                                       uint32_t Address) {
+  uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, true);
+  Memory->request(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket));
+  return ready::pending(Op);
+}
+
+bool TmRunnerState::requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
+                                 unsigned Bytes) {
+  if (T.Requests->oldestStore().FreeFrom > Epoch + Cycle)
+    return false;
+  Memory->request(request(T, RequestKind::Store, Cycle, Address, Bytes,
+                          T.Requests->addStore()));
+  return true;
+}
+
+void TmRunnerState::awaitStores(Thread &T) {
+  ThreadRequests &Requests = *T.Requests;
+  if (Requests.unansweredStores() != 0) {
+    Requests.suspend(Awaited::AllStores, NextCycle);
+    NextCycle = NeverCycle;
+  } else if (uint64_t Answered = Requests.lastStoreAnswer();
+             Answered > NextCycle) {
+    charge(T, T.LastWord, Loss::Sync, Answered - NextCycle);
+    NextCycle = Answered;
+  }
 }
 
 std::optional<Opcode> TmRunnerState::forwardOwn(uint32_t Address,

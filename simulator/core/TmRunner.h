@@ -10,6 +10,7 @@
 #include "runtime/include/tp/profile.h"
 #include "simulator/core/AddressSpace.h"
 #include "simulator/core/WindowLog.h"
+#include "simulator/memory/MemorySystem.h"
 
 #include <array>
 #include <cstdint>
@@ -31,6 +32,12 @@ struct ChipContext : AddressSpace {
 /// The part of a host thread's working state that does not depend on the width
 /// of the resource word: where it is, its log, and what it counted.
 struct TmRunnerState {
+  /// What one TP has done in the window at hand.
+  struct OwnAccesses {
+    std::vector<GlobalAccess> Log;
+    uint64_t Words = 0;
+  };
+
   ChipContext Chip;
 
   /// The current window in absolute cycles, and the cycle from which relative
@@ -52,6 +59,12 @@ struct TmRunnerState {
   uint64_t OwnWords = 0;
   /// The running thread's priority and TM, as the low bits of its order keys.
   OrderKey OwnOrder = 0;
+  /// Of the TM at hand; null on a chip without a memory system.
+  TmMemory *Memory = nullptr;
+  /// Of its TPs; used if they do not run one after the other.
+  std::vector<OwnAccesses> OwnAccessesOf;
+  std::vector<MemoryAnswer> Answers;
+  uint32_t L1Latency = 0;
   std::optional<PendingTrap> FirstTrap;
 
   /// Threads that arrived at the barrier, and that halted, in this window.
@@ -87,7 +100,33 @@ struct TmRunnerState {
     return Log.emplace_back();
   }
   void growLog();
+  /// Makes a TP's accesses the log, and back.
+  void swapLog(OwnAccesses &Own) {
+    std::swap(Log, Own.Log);
+    std::swap(OwnWords, Own.Words);
+    OwnLogBegin = 0;
+  }
+  /// Moves a TP's accesses to the end of the log.
+  void moveToLog(OwnAccesses &Own) {
+    Log.insert(Log.end(), Own.Log.begin(), Own.Log.end());
+    Own.Log.clear();
+    Own.Words = 0;
+  }
   void countMarker(uint32_t Number);
+
+  /// Asks the memory system for a load, or for an atomic or stream operation,
+  /// whose result goes to a register of the running thread; gives its ready
+  /// word.
+  ReadyWord requestLoad(Thread &T, uint8_t Destination, Opcode Op,
+                        uint64_t Cycle, uint32_t Address, unsigned Bytes);
+  ReadyWord requestAtomic(Thread &T, uint8_t Destination, Opcode Op,
+                          uint64_t Cycle, uint32_t Address);
+  /// Asks it for a store; false, and nothing done, if the store buffer is full.
+  bool requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
+                    unsigned Bytes);
+  /// Lets the running thread, which is to go on in the cycle NextCycle, wait
+  /// for all its stores.
+  void awaitStores(Thread &T);
 
   static uint64_t wordBit(uint32_t Address) {
     return uint64_t(1) << (Address >> 2 & 63);
@@ -103,6 +142,11 @@ struct TmRunnerState {
   /// gives that access's producer instead.
   std::optional<Opcode> forwardOwn(uint32_t Address, unsigned Bytes,
                                    uint32_t &Value) const;
+
+private:
+  MemoryRequest request(const Thread &T, RequestKind Kind, uint64_t Cycle,
+                        uint32_t Address, unsigned Bytes,
+                        uint32_t Ticket) const;
 };
 
 } // namespace tp

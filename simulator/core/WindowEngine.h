@@ -19,6 +19,7 @@
 #include "simulator/core/EngineImplementation.h"
 #include "simulator/core/Handlers.h"
 #include "simulator/core/HostThreadPool.h"
+#include "simulator/core/TmTurn.h"
 #include "simulator/core/WindowCommit.h"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ template <class Word, bool FlushToZero>
 class WindowEngine final : public EngineImplementation {
 public:
   WindowEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
-               const ResourceLayout &Layout);
+               const ResourceLayout &Layout,
+               std::unique_ptr<MemorySystem> Hierarchy);
 
   bool isMapped() const override {
     return Chip.LocalStoreBytes == 0 || LocalStores.data();
@@ -42,12 +44,11 @@ public:
   void setOutput(OutputFunction Function) override {
     Commit.setOutput(std::move(Function));
   }
+  void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) override;
   void setInitialState(std::span<const ArchitecturalState> States) override;
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
-  Statistics statistics() const override {
-    return summarize(Threads, NextCycles, EndCycle, Counters, Opcodes);
-  }
+  Statistics statistics() const override;
   const Thread &thread(uint32_t Number) const override {
     return Threads[Number];
   }
@@ -67,6 +68,8 @@ private:
   uint64_t runTm(Runner &R, uint32_t Tm);
   /// The rest of it.
   void finishWindow();
+  /// What the TMs' memories share.
+  void runMemory();
   void releaseBarrier();
   /// How the run has ended for good by now, if it has; sets EndCycle.
   std::optional<RunResult> ending(uint64_t MaxCycles);
@@ -75,8 +78,13 @@ private:
   /// Passes of these markers so far.
   uint64_t countPasses(std::span<const uint32_t> Markers) const;
   Progress progress() const;
+  /// Puts new generated code into the slots.
+  void updateCode();
+  /// Adds what generated code has counted to the other counts.
+  void foldCodeCounts() const;
 
   const ChipConfig Chip;
+  const Program &Text;
   const ResourceLayout Layout;
   ChipContext Context;
   WindowCommit Commit;
@@ -91,6 +99,11 @@ private:
   /// least of them.
   std::vector<uint64_t> NextCycles;
   std::vector<uint64_t> TmNextCycles;
+
+  /// Null if the chip has neither caches nor DRAM; then the threads have no
+  /// requests.
+  std::unique_ptr<MemorySystem> Hierarchy;
+  std::vector<ThreadRequests> Requests;
 
   std::vector<std::unique_ptr<Runner>> Runners;
   /// Counters of all runners, for the statistics.
@@ -110,18 +123,20 @@ private:
   uint64_t EndCycle = 0;
   /// How the run has ended for good.
   std::optional<RunResult> Final;
+  /// Or none.
+  std::unique_ptr<CodeGenerator> Generator;
 };
 
 template <class Word, bool FlushToZero>
-WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
-                                              const Program &Text,
-                                              Memory &Global,
-                                              const ResourceLayout &Layout)
-    : Chip(Chip), Layout(Layout), Context{AddressSpace(Chip, Text, Global)},
-      Commit(Context), LocalStores(Chip.threadCount() * localStoreStride(Chip)),
+WindowEngine<Word, FlushToZero>::WindowEngine(
+    const ChipConfig &Chip, const Program &Text, Memory &Global,
+    const ResourceLayout &Layout, std::unique_ptr<MemorySystem> Hierarchy)
+    : Chip(Chip), Text(Text), Layout(Layout),
+      Context{AddressSpace(Chip, Text, Global)}, Commit(Context),
+      LocalStores(Chip.threadCount() * localStoreStride(Chip)),
       Slots(decodeText<Word, FlushToZero>(Text, Chip, Layout)),
       Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
-      TmNextCycles(Chip.TmCount) {
+      TmNextCycles(Chip.TmCount), Hierarchy(std::move(Hierarchy)) {
   for (const Instruction &Decoded : Text.instructions())
     Opcodes.push_back(Decoded.Op);
   Context.Chip = &this->Chip;
@@ -135,6 +150,39 @@ WindowEngine<Word, FlushToZero>::WindowEngine(const ChipConfig &Chip,
     Threads[I].Resume = &Slots[EntryWord];
     Threads[I].LocalStoreBias = localStoreBias(Chip, LocalStores, I);
   }
+  if (!this->Hierarchy)
+    return;
+  Requests.resize(Threads.size(), ThreadRequests(Chip.StoreBufferEntries));
+  for (uint32_t I = 0; I != Threads.size(); ++I)
+    Threads[I].Requests = &Requests[I];
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setCodeGenerator(
+    std::unique_ptr<CodeGenerator> NewGenerator) {
+  Generator = std::move(NewGenerator);
+  Generator->start(describeText(Slots, Text, Context, Layout, FlushToZero));
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::updateCode() {
+  for (const GeneratedHandler &New : Generator->update(Counters))
+    Slots[New.Word].Execute =
+        reinterpret_cast<Handler<Word>>(const_cast<void *>(New.Entry));
+  for (std::unique_ptr<Runner> &R : Runners) {
+    if (R->CodeCounts.size() == Generator->numCounts())
+      continue;
+    R->CodeCounts.resize(Generator->numCounts());
+    R->CodeCountsBegin = R->CodeCounts.data();
+  }
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::foldCodeCounts() const {
+  if (!Generator)
+    return;
+  for (const std::unique_ptr<Runner> &R : Runners)
+    Generator->fold(*R);
 }
 
 template <class Word, bool FlushToZero>
@@ -178,6 +226,8 @@ void WindowEngine<Word, FlushToZero>::prepareFree() {
 template <class Word, bool FlushToZero>
 bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t Limit) {
   uint64_t Next = *std::min_element(TmNextCycles.begin(), TmNextCycles.end());
+  if (Hierarchy)
+    Next = std::min(Next, Hierarchy->nextEvent());
   uint64_t Window = Next / Chip.ArbitrationWindow;
   WindowStart = Window * Chip.ArbitrationWindow;
   if (WindowStart >= Limit) {
@@ -228,34 +278,11 @@ void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
 
 template <class Word, bool FlushToZero>
 uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
-  std::copy(InitialFree.begin(), InitialFree.end(), R.Free.begin());
-  // The handlers index by relative cycles.
-  Word *Free =
-      reinterpret_cast<Word *>(reinterpret_cast<uintptr_t>(R.Free.data()) -
-                               R.windowStartRelative() * sizeof(Word));
-  uint64_t First = NeverCycle;
-  for (uint32_t Priority = 0; Priority != Chip.TpsPerTm; ++Priority) {
-    uint32_t Tp = FirstPriority + Priority;
-    if (Tp >= Chip.TpsPerTm)
-      Tp -= Chip.TpsPerTm;
-    uint32_t Number = Tm * Chip.TpsPerTm + Tp;
-    uint64_t Next = NextCycles[Number];
-    if (Next < WindowEnd) {
-      Thread *T = &Threads[Number];
-      R.OwnLogBegin = R.Log.size();
-      R.OwnWords = 0;
-      R.OwnOrder = orderKey(0, Priority, Tm);
-      do {
-        auto *S = static_cast<const Slot<Word> *>(T->Resume);
-        R.NextCycle = NeverCycle;
-        S->Execute(T, S, Next - Epoch, Free, &R);
-        Next = R.NextCycle;
-      } while (Next < WindowEnd);
-      NextCycles[Number] = Next;
-    }
-    First = std::min(First, Next);
-  }
-  return First;
+  size_t Begin = size_t(Tm) * Chip.TpsPerTm;
+  TmTurn<Word> Turn(R, Tm, std::span(Threads).subspan(Begin, Chip.TpsPerTm),
+                    std::span(NextCycles).subspan(Begin, Chip.TpsPerTm),
+                    FirstPriority, InitialFree);
+  return Hierarchy ? Turn.run(Hierarchy->tm(Tm)) : Turn.run();
 }
 
 template <class Word, bool FlushToZero>
@@ -273,6 +300,41 @@ void WindowEngine<Word, FlushToZero>::finishWindow() {
     R->Log.clear();
   if (Waiting != 0 && Waiting + Halted == Threads.size())
     releaseBarrier();
+  if (Hierarchy)
+    runMemory();
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::runMemory() {
+  for (unsigned Stage = 0; Stage != Hierarchy->stages(); ++Stage) {
+    std::atomic<unsigned> NextPart = 0;
+    unsigned Parts = Hierarchy->parts(Stage);
+    auto RunParts = [&](unsigned) {
+      while (true) {
+        unsigned Part = NextPart.fetch_add(1, std::memory_order_relaxed);
+        if (Part >= Parts)
+          return;
+        Hierarchy->runPart(Stage, Part, WindowEnd);
+      }
+    };
+    if (Parts > 1)
+      Pool->run(RunParts);
+    else
+      RunParts(0);
+  }
+  for (uint32_t Tm = 0; Tm != Chip.TmCount; ++Tm)
+    if (TmNextCycles[Tm] > WindowEnd && Hierarchy->tm(Tm).hasAnswers())
+      TmNextCycles[Tm] = WindowEnd;
+}
+
+template <class Word, bool FlushToZero>
+Statistics WindowEngine<Word, FlushToZero>::statistics() const {
+  foldCodeCounts();
+  Statistics Result =
+      summarize(Threads, NextCycles, EndCycle, Counters, Opcodes);
+  if (Hierarchy)
+    Result.Memory = Hierarchy->statistics();
+  return Result;
 }
 
 template <class Word, bool FlushToZero>
@@ -290,6 +352,7 @@ void WindowEngine<Word, FlushToZero>::releaseBarrier() {
 
 template <class Word, bool FlushToZero>
 Progress WindowEngine<Word, FlushToZero>::progress() const {
+  foldCodeCounts();
   Progress Result{WindowEnd, 0, Halted};
   for (const TmRunnerState *State : Counters)
     for (uint64_t Count : State->ExecutedAt)
@@ -353,7 +416,10 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
     R->Slots = Slots.data();
     R->Guards = Word(Layout.guards());
     R->IcacheGuards = Word(Layout.icacheGuards());
+    R->Closed = Word(Layout.closed());
     R->Free.resize(Chip.ArbitrationWindow + 1);
+    R->OwnAccessesOf.resize(Hierarchy ? Chip.TpsPerTm : 0);
+    R->L1Latency = Chip.L1 ? Chip.L1->Latency : 0;
     R->ExecutedAt.resize(Slots.size());
     R->LostAt.resize(Slots.size());
     Counters.push_back(R.get());
@@ -362,7 +428,7 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
   for (std::unique_ptr<Runner> &R : Runners)
     R->Chip = Context;
   if (!Pool || Pool->size() != Count)
-    Pool.emplace(Count, [this](unsigned I) { runTms(*Runners[I]); });
+    Pool.emplace(Count);
 }
 
 template <class Word, bool FlushToZero>
@@ -388,7 +454,9 @@ RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
     }
     if (!enterWindow(std::min(MaxCycles, PauseCycle)))
       continue;
-    Pool->run();
+    if (Generator)
+      updateCode();
+    Pool->run([this](unsigned I) { runTms(*Runners[I]); });
     finishWindow();
   }
   return *Final;
@@ -397,9 +465,10 @@ RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
 template <class Word, bool FlushToZero>
 std::unique_ptr<EngineImplementation>
 makeEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
-           const ResourceLayout &Layout) {
-  return std::make_unique<WindowEngine<Word, FlushToZero>>(Chip, Text, Global,
-                                                           Layout);
+           const ResourceLayout &Layout,
+           std::unique_ptr<MemorySystem> Hierarchy) {
+  return std::make_unique<WindowEngine<Word, FlushToZero>>(
+      Chip, Text, Global, Layout, std::move(Hierarchy));
 }
 
 } // namespace tp

@@ -29,6 +29,8 @@ constexpr OrderKey orderKey(uint64_t CycleInWindow, uint32_t Priority,
   return CycleInWindow << 32 | uint64_t(Priority) << 16 | Tm;
 }
 
+constexpr uint16_t priorityOf(OrderKey Key) { return uint16_t(Key >> 16); }
+
 using AtomicFunction = uint32_t (*)(uint32_t Old, uint32_t Operand,
                                     uint32_t Expected);
 using StreamFunction = uint32_t (*)(StreamMemory &Memory, uint32_t Descriptor,

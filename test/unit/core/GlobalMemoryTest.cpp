@@ -13,14 +13,14 @@ using namespace tp::test;
 
 namespace {
 
-constexpr int Thread = int(SpecialRegister::thread);
+constexpr int ThreadRegister = int(SpecialRegister::thread);
 constexpr uint32_t DataHigh = DataBegin >> 16;
 
 TEST(GlobalMemory, StoresBecomeVisibleAtTheEndOfTheWindow) {
   // Thread 0 stores 7 in cycle 4. Thread 1 loads in 4 (one per cycle) until
   // the end of the window and sees 0; its load in cycle 16 sees 7.
   Assembly A;
-  A("mfsr", 4, Thread)("lui", 20, DataHigh)("addi", 5, 0, 7)(
+  A("mfsr", 4, ThreadRegister)("lui", 20, DataHigh)("addi", 5, 0, 7)(
       "bne", 4, 0, "reader")("sw", 5, 20, 0)("halt", 0);
   A.label("reader").repeat(11, "lw", 6, 20, 0)("lw", 7, 20, 0)("lw", 8, 20,
                                                                0)("halt", 0);
@@ -35,9 +35,9 @@ TEST(GlobalMemory, StoresBecomeVisibleAtTheEndOfTheWindow) {
 TEST(GlobalMemory, SyncMakesStoresVisible) {
   // Both threads store, sync, then read the other's word.
   Assembly A;
-  A("mfsr", 4, Thread)("lui", 20, DataHigh)("sll", 5, 4, 2)("add", 21, 20, 5)(
-      "xori", 5, 5, 4)("add", 22, 20, 5)("addi", 6, 4, 100)("sw", 6, 21, 0)(
-      "sync")("lw", 7, 22, 0)("halt", 0);
+  A("mfsr", 4, ThreadRegister)("lui", 20, DataHigh)("sll", 5, 4, 2)(
+      "add", 21, 20, 5)("xori", 5, 5, 4)("add", 22, 20, 5)("addi", 6, 4, 100)(
+      "sw", 6, 21, 0)("sync")("lw", 7, 22, 0)("halt", 0);
   Simulation S(quietChip(2, 1), A);
   S.cycles();
   EXPECT_EQ(S.registerOf(0, 7), 101u);
@@ -49,7 +49,7 @@ TEST(GlobalMemory, OfStoresInOneCycleThatOfTheLastPriorityStays) {
   // w mod 3, so TP (w + 2) mod 3 comes last; of two TMs the second.
   for (unsigned Window : {0u, 1u, 2u, 3u}) {
     Assembly A;
-    A("mfsr", 4, Thread)("lui", 20, DataHigh);
+    A("mfsr", 4, ThreadRegister)("lui", 20, DataHigh);
     A.repeat(16 * Window, "addi", 5, 0, 1)("sw", 4, 20, 0)("halt", 0);
     Simulation S(quietChip(2, 3), A);
     S.cycles();
@@ -60,8 +60,8 @@ TEST(GlobalMemory, OfStoresInOneCycleThatOfTheLastPriorityStays) {
 TEST(GlobalMemory, LaterCyclesComeAfterEarlierOnes) {
   // Thread t stores in cycle 4 + 4 - t: thread 0 last, whatever its priority.
   Assembly A;
-  A("mfsr", 4, Thread)("lui", 20, DataHigh)("addi", 5, 0, 4)("sub", 5, 5, 4)(
-      "sleep", 5)("sw", 4, 20, 0)("halt", 0);
+  A("mfsr", 4, ThreadRegister)("lui", 20, DataHigh)("addi", 5, 0, 4)(
+      "sub", 5, 5, 4)("sleep", 5)("sw", 4, 20, 0)("halt", 0);
   Simulation S(quietChip(2, 2), A);
   S.setWord(DataBegin, 99);
   S.cycles();
@@ -86,7 +86,7 @@ TEST(GlobalMemory, AtomicsTakeEffectInTheOrderOfCyclePriorityTm) {
 TEST(GlobalMemory, AtomicsAndStoresShareOneOrder) {
   // Cycle 4: thread 0 stores 100, thread 1 swaps in 1: thread 1 gets 100.
   Assembly A;
-  A("mfsr", 4, Thread)("lui", 20, DataHigh)("addi", 5, 0, 100)(
+  A("mfsr", 4, ThreadRegister)("lui", 20, DataHigh)("addi", 5, 0, 100)(
       "bne", 4, 0, "second")("sw", 5, 20, 0)("halt", 0);
   A.label("second")("atom_swap", 6, 4, 20)("halt", 0);
   Simulation S(quietChip(1, 2), A);
@@ -174,7 +174,7 @@ TEST(GlobalMemory, LoadElsewhereDoesNotWaitForAnAtomic) {
 TEST(GlobalMemory, LocalStoresArePrivate) {
   // Each thread keeps its number at the same local address.
   Assembly A;
-  A("mfsr", 4, Thread)("addi", 20, 0, -64)("sw", 4, 20, 0)("barrier")(
+  A("mfsr", 4, ThreadRegister)("addi", 20, 0, -64)("sw", 4, 20, 0)("barrier")(
       "lw", 5, 20, 0)("halt", 0);
   Simulation S(quietChip(2, 4), A);
   S.cycles();
@@ -186,7 +186,7 @@ TEST(GlobalMemory, StreamsHandOutEachWordOnce) {
   // A ring of four words: thread t pushes t + 10, all in one cycle; the fifth
   // and sixth find it full. Then each pops one; two find it empty.
   Assembly A;
-  A("mfsr", 4, Thread)("lui", 20, DataHigh)("addi", 5, 4, 10)(
+  A("mfsr", 4, ThreadRegister)("lui", 20, DataHigh)("addi", 5, 4, 10)(
       "stream_push", 6, 5, 20)("barrier")("stream_pop", 7, 20)("halt", 0);
   Simulation S(quietChip(2, 3), A);
   S.setWord(DataBegin + 8, 4);
@@ -218,9 +218,9 @@ TEST(GlobalMemory, HostCallsWriteInOrderAndWaitForTheWindow) {
   // window 0: in the order of priority, then TM. It is then overwritten: what
   // counts is the contents at the call.
   Assembly A;
-  A("mfsr", 4, Thread)("addi", 7, 4, 'a')("addi", 5, 0, -64)("sb", 7, 5, 0)(
-      "addi", 4, 0, 1)("addi", 6, 0, 1)("hostcall", 0)("sb", 0, 5, 0)("halt",
-                                                                      0);
+  A("mfsr", 4, ThreadRegister)("addi", 7, 4, 'a')("addi", 5, 0, -64)(
+      "sb", 7, 5, 0)("addi", 4, 0, 1)("addi", 6, 0, 1)("hostcall", 0)(
+      "sb", 0, 5, 0)("halt", 0);
   Simulation S(quietChip(2, 3), A);
   // hostcall in 6, sb in 16, halt 17.
   EXPECT_EQ(S.cycles(), 18u);

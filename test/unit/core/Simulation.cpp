@@ -6,6 +6,8 @@
 
 #include "test/unit/core/Simulation.h"
 
+#include "simulator/core/CodeGenerator.h"
+
 #include "gtest/gtest.h"
 
 #include <numeric>
@@ -29,6 +31,8 @@ ChipConfig quietChip(uint32_t TmCount, uint32_t TpsPerTm) {
   return Chip;
 }
 
+std::unique_ptr<CodeGenerator> (*Simulation::DefaultGenerator)() = nullptr;
+
 Simulation::Simulation(const ChipConfig &Chip, const Assembly &Source,
                        unsigned HostThreads)
     : Chip(Chip), Global(Chip.MemoryBytes),
@@ -36,6 +40,8 @@ Simulation::Simulation(const ChipConfig &Chip, const Assembly &Source,
       Simulated(this->Chip, Text, Global) {
   EXPECT_EQ(Simulated.error(), "");
   Simulated.setHostThreads(HostThreads);
+  if (DefaultGenerator)
+    Simulated.setCodeGenerator(DefaultGenerator());
   Simulated.setOutput([this](int, std::string_view Bytes) { Output += Bytes; });
 }
 

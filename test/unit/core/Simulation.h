@@ -10,7 +10,12 @@
 #include "simulator/core/Engine.h"
 #include "test/unit/core/Assembly.h"
 
+#include <memory>
 #include <string>
+
+namespace tp {
+class CodeGenerator;
+}
 
 namespace tp::test {
 
@@ -26,6 +31,10 @@ ChipConfig quietChip(uint32_t TmCount, uint32_t TpsPerTm);
 /// One run of one program.
 class Simulation {
 public:
+  /// Makes the code generator of the simulations to come; null at first: they
+  /// run on the reference engine.
+  static std::unique_ptr<CodeGenerator> (*DefaultGenerator)();
+
   Simulation(const ChipConfig &Chip, const Assembly &Source,
              unsigned HostThreads = 1);
 

@@ -11,7 +11,7 @@
 using namespace tp;
 using namespace tp::test;
 
-constexpr int Thread = int(SpecialRegister::thread);
+constexpr int ThreadRegister = int(SpecialRegister::thread);
 
 /// Runs on one TP and gives the trap; where it happened is for the test to say.
 static Trap trapOf(const Assembly &A) {
@@ -145,7 +145,8 @@ TEST(Traps, BadHostCalls) {
 TEST(Traps, TheFirstByCycleWins) {
   // Thread t breaks in cycle 3 + (3 - t): thread 3 is first.
   Assembly A;
-  A("mfsr", 4, Thread)("addi", 5, 0, 3)("sub", 5, 5, 4)("sleep", 5)("break", 9);
+  A("mfsr", 4, ThreadRegister)("addi", 5, 0, 3)("sub", 5, 5, 4)("sleep",
+                                                                5)("break", 9);
   Simulation S(quietChip(2, 2), A);
   RunResult Result = S.run();
   ASSERT_TRUE(Result.TrapInfo);
@@ -170,7 +171,7 @@ TEST(Traps, EndTheRunAtTheEndOfTheWindow) {
   // The other thread goes on to the end of the window: 16 instructions. The
   // trapping one has issued one and counts as finished from cycle 2 on.
   Assembly A;
-  A("mfsr", 4, Thread)("beq", 4, 0, "trap");
+  A("mfsr", 4, ThreadRegister)("beq", 4, 0, "trap");
   A.label("forever")("j", "forever").label("trap")("break", 1);
   Simulation S(quietChip(1, 2), A);
   EXPECT_EQ(S.run().End, RunResult::Trapped);

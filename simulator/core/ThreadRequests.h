@@ -1,0 +1,111 @@
+//===- ThreadRequests.h - A thread's accesses under way ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// On a chip with a memory system it is not known at issue when a result of
+// global memory is ready. Its ready word is then pending, and a thread that
+// needs it is suspended until the memory system has answered.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_THREADREQUESTS_H
+#define TP_SIMULATOR_CORE_THREADREQUESTS_H
+
+#include "simulator/core/Archive.h"
+#include "simulator/isa/Instructions.h"
+#include "simulator/memory/MemoryRequest.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tp {
+
+/// What a suspended thread waits for.
+enum class Awaited : uint8_t {
+  /// It is not suspended.
+  Nothing,
+  /// Sources of its next instruction.
+  Sources,
+  /// The oldest entry of its store buffer.
+  StoreEntry,
+  /// All its stores: it has executed `sync` or `hostcall`.
+  AllStores,
+};
+
+/// What a thread has asked of the memory system. All cycles are absolute.
+class ThreadRequests {
+public:
+  /// The last load or atomic whose result goes to a register.
+  struct RegisterRequest {
+    /// Cycle of issue.
+    uint64_t Issued = 0;
+    uint32_t Ticket = 0;
+    /// Who had it, once it is answered.
+    ServedBy Level = ServedBy::Memory;
+    /// It has gone beyond the L1.
+    bool GoneOn = false;
+  };
+
+  /// An entry of the store buffer.
+  struct StoreEntry {
+    /// The first cycle in which another store may take it; NeverFree while its
+    /// store is unanswered.
+    uint64_t FreeFrom = 0;
+    bool GoneOn = false;
+  };
+  static constexpr uint64_t NeverFree = ~uint64_t(0);
+
+  explicit ThreadRequests(uint32_t StoreBufferEntries)
+      : Stores(StoreBufferEntries) {}
+
+  /// The ticket of a new load or atomic.
+  uint32_t addRegister(uint8_t Register, uint64_t Cycle, bool GoneOn);
+  /// The ticket of a new store: it takes the oldest entry.
+  uint32_t addStore();
+  const StoreEntry &oldestStore() const { return Stores[NextStore]; }
+
+  /// The register that a ticket is for, NumRegisters of a store.
+  static uint8_t registerOf(uint32_t Ticket);
+  /// Notes an answer about a register, and whether the register still belongs
+  /// to that request.
+  bool noteRegister(const MemoryAnswer &Answer);
+  void noteStore(const MemoryAnswer &Answer);
+
+  const RegisterRequest &request(uint8_t Register) const {
+    return Registers[Register];
+  }
+  uint32_t unansweredStores() const { return Unanswered; }
+  /// Whether one of the unanswered stores has gone beyond the L1.
+  bool hasStoreGoneOn() const { return StoresGoneOn != 0; }
+  /// The latest answer of a store so far.
+  uint64_t lastStoreAnswer() const { return LastStoreAnswer; }
+
+  void suspend(Awaited What, uint64_t Cycle) {
+    Waiting = What;
+    SuspendedAt = Cycle;
+  }
+  void resume() { Waiting = Awaited::Nothing; }
+  Awaited waitsFor() const { return Waiting; }
+  /// The cycle from which on a suspended thread waits, uncharged as yet.
+  uint64_t suspendedAt() const { return SuspendedAt; }
+
+  void serialize(Archive &A);
+
+private:
+  std::array<RegisterRequest, NumRegisters> Registers{};
+  std::vector<StoreEntry> Stores;
+  uint32_t NextStore = 0;
+  uint32_t NextTicket = 0;
+  uint32_t Unanswered = 0;
+  uint32_t StoresGoneOn = 0;
+  uint64_t LastStoreAnswer = 0;
+  uint64_t SuspendedAt = 0;
+  Awaited Waiting = Awaited::Nothing;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_THREADREQUESTS_H

@@ -1,0 +1,196 @@
+//===- TmTurn.h - One TM in one window --------------------------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// Each TP is simulated alone, highest priority first, against a table of what
+// each cycle still has free: it can never disturb one of higher priority, so
+// this is exact.
+//
+// With an L1, whose hits come back within the window, that is done in sweeps. A
+// TP that waits for the L1 is left at its cycle, and those of lower priority
+// may not pass the first cycle in which it may go on: its frontier. When the
+// sweep is over, the L1 decides all that happens before the least frontier of
+// all, which lets some go on in the next sweep.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_TMTURN_H
+#define TP_SIMULATOR_CORE_TMTURN_H
+
+#include "simulator/core/Waiting.h"
+
+#include <algorithm>
+#include <span>
+
+namespace tp {
+
+/// A TM's share of the window that the runner is in.
+template <class Word> class TmTurn {
+public:
+  /// \p Tps and \p NextCycles are those of the TM; \p FirstPriority is the TP
+  /// that comes first, \p Unused what the cycles have free at first.
+  TmTurn(TmRunner<Word> &R, uint32_t Tm, std::span<Thread> Tps,
+         std::span<uint64_t> NextCycles, uint32_t FirstPriority,
+         std::span<const Word> Unused)
+      : R(R), Tm(Tm), Tps(Tps), NextCycles(NextCycles),
+        FirstPriority(FirstPriority), WindowEnd(R.Epoch + R.End) {
+    std::copy(Unused.begin(), Unused.end(), R.Free.begin());
+    // The handlers index by relative cycles.
+    Free = reinterpret_cast<Word *>(reinterpret_cast<uintptr_t>(R.Free.data()) -
+                                    R.windowStartRelative() * sizeof(Word));
+  }
+
+  /// Gives the first cycle in which the TM has something to do again.
+  uint64_t run() {
+    uint64_t First = NeverCycle;
+    for (uint32_t Priority = 0; Priority != Tps.size(); ++Priority) {
+      uint32_t Tp = tpOf(Priority);
+      if (NextCycles[Tp] < WindowEnd)
+        runTp(Tp, Priority);
+      First = std::min(First, NextCycles[Tp]);
+    }
+    return First;
+  }
+
+  /// The same for a TM with a memory system.
+  uint64_t run(TmMemory &Memory) {
+    R.Memory = &Memory;
+    LastAdvance = R.WindowStart;
+    if (Memory.hasAnswers()) {
+      Memory.takeAnswers(R.Answers);
+      takeAnswers();
+    }
+    while (LastAdvance != WindowEnd) {
+      LastAdvance = sweep();
+      Memory.advance(LastAdvance, R.Answers);
+      takeAnswers();
+    }
+    for (TmRunnerState::OwnAccesses &Own : R.OwnAccessesOf)
+      R.moveToLog(Own);
+    uint64_t First = Memory.nextEvent();
+    for (uint64_t Next : NextCycles)
+      First = std::min(First, Next);
+    return First;
+  }
+
+private:
+  uint32_t tpOf(uint32_t Priority) const {
+    uint32_t Tp = FirstPriority + Priority;
+    return Tp < Tps.size() ? Tp : Tp - uint32_t(Tps.size());
+  }
+
+  void runTp(uint32_t Tp, uint32_t Priority) {
+    R.OwnLogBegin = R.Log.size();
+    R.OwnWords = 0;
+    R.OwnOrder = orderKey(0, Priority, Tm);
+    runTpTo(Tp, WindowEnd);
+  }
+
+  void runTpTo(uint32_t Tp, uint64_t Limit) {
+    Thread *T = &Tps[Tp];
+    uint64_t Next = NextCycles[Tp];
+    do {
+      auto *S = static_cast<const Slot<Word> *>(T->Resume);
+      R.NextCycle = NeverCycle;
+      S->Execute(T, S, Next - R.Epoch, Free, &R);
+      Next = R.NextCycle;
+    } while (Next < Limit);
+    NextCycles[Tp] = Next;
+  }
+
+  /// Runs all TPs as far as they may go, and gives the least frontier.
+  uint64_t sweep() {
+    uint64_t Least = WindowEnd;
+    for (uint32_t Priority = 0; Priority != Tps.size(); ++Priority) {
+      uint32_t Tp = tpOf(Priority);
+      if (NextCycles[Tp] < Least)
+        runTpInSweep(Tp, Priority, Least);
+      Least = std::min(Least, frontier(Tp));
+    }
+    return Least;
+  }
+
+  /// Runs a TP that may not reach \p Limit.
+  void runTpInSweep(uint32_t Tp, uint32_t Priority, uint64_t Limit) {
+    R.OwnOrder = orderKey(0, Priority, Tm);
+    R.swapLog(R.OwnAccessesOf[Tp]);
+    R.Limit = Limit - R.Epoch;
+    Word AtLimit = Free[R.Limit];
+    Free[R.Limit] |= R.Closed;
+    runTpTo(Tp, Limit);
+    Free[R.Limit] = AtLimit;
+    R.Limit = R.End;
+    R.swapLog(R.OwnAccessesOf[Tp]);
+  }
+
+  /// The first cycle in which a TP may issue again.
+  uint64_t frontier(uint32_t Tp) const {
+    const Thread &T = Tps[Tp];
+    const ThreadRequests &Requests = *T.Requests;
+    switch (Requests.waitsFor()) {
+    case Awaited::Nothing:
+      return NextCycles[Tp];
+    case Awaited::Sources: {
+      auto *S = static_cast<const Slot<Word> *>(T.Resume);
+      uint64_t Bound = Requests.suspendedAt();
+      for (uint8_t Source : S->Instruction.Source)
+        if (ready::isPending(T.Ready[Source])) {
+          const auto &Request = Requests.request(Source);
+          Bound =
+              std::max(Bound, earliestAnswer(Request.Issued, Request.GoneOn));
+        }
+      return Bound;
+    }
+    case Awaited::StoreEntry:
+      return std::max(
+          Requests.suspendedAt(),
+          earliestAnswer(LastAdvance, Requests.oldestStore().GoneOn));
+    case Awaited::AllStores:
+      return std::max(Requests.suspendedAt(),
+                      earliestAnswer(LastAdvance, Requests.hasStoreGoneOn()));
+    }
+    __builtin_unreachable();
+  }
+
+  /// The earliest cycle for which an unanswered request can still be answered.
+  uint64_t earliestAnswer(uint64_t Issued, bool GoneOn) const {
+    if (GoneOn)
+      return WindowEnd;
+    return std::max(Issued, LastAdvance) + R.L1Latency;
+  }
+
+  void takeAnswers() {
+    for (const MemoryAnswer &Answer : R.Answers) {
+      Thread &T = Tps[Answer.Tp];
+      ThreadRequests &Requests = *T.Requests;
+      bool Known = Answer.ReadyCycle != AnsweredLater;
+      uint8_t Register = ThreadRequests::registerOf(Answer.Ticket);
+      if (Register == NumRegisters) {
+        Requests.noteStore(Answer);
+      } else if (Requests.noteRegister(Answer) && Known) {
+        ReadyWord &Ready = T.Ready[Register];
+        if (ready::isPending(Ready))
+          Ready = ready::withCycle(Ready, Answer.ReadyCycle - R.Epoch);
+      }
+      if (Known && Requests.waitsFor() != Awaited::Nothing)
+        NextCycles[Answer.Tp] = waiting::resume(&T, &R);
+    }
+    R.Answers.clear();
+  }
+
+  TmRunner<Word> &R;
+  const uint32_t Tm;
+  const std::span<Thread> Tps;
+  const std::span<uint64_t> NextCycles;
+  const uint32_t FirstPriority;
+  const uint64_t WindowEnd;
+  Word *Free;
+  /// The cycle before which the TM's memory has decided everything.
+  uint64_t LastAdvance = 0;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_TMTURN_H
