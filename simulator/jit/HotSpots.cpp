@@ -1,0 +1,55 @@
+//===- HotSpots.cpp - Where code is worth compiling -----------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/jit/HotSpots.h"
+
+#include <algorithm>
+
+namespace tp {
+
+/// Whether many executions of a word do not come from the word before it.
+static bool isEntered(std::span<const uint64_t> Interpreted, uint32_t Word) {
+  uint64_t Before = Word == 0 ? 0 : Interpreted[Word - 1];
+  return Interpreted[Word] > Before + Before / 4;
+}
+
+std::vector<Segment> HotSpots::choose(const CodeSubject &Subject,
+                                      std::span<const uint64_t> Interpreted,
+                                      std::span<const uint64_t> Executed,
+                                      uint64_t HotCount) {
+  auto NumWords = uint32_t(Subject.Text->instructions().size());
+  IsHead.resize(NumWords);
+  std::vector<uint32_t> Heads;
+  auto AddHead = [&](uint32_t Word) {
+    if (IsHead[Word] || Interpreted[Word] < HotCount)
+      return;
+    IsHead[Word] = true;
+    Heads.push_back(Word);
+  };
+  AddHead((Subject.Text->entry() - Subject.Text->textBegin()) / 4);
+  for (uint32_t Word = 0; Word != NumWords; ++Word)
+    if (isEntered(Interpreted, Word))
+      AddHead(Word);
+
+  std::vector<Segment> Result;
+  for (size_t I = 0; I != Heads.size(); ++I) {
+    Segment Steps = formSegment(Subject, Heads[I], Executed);
+    if (Steps.empty()) {
+      if (Heads[I] + 1 < NumWords)
+        AddHead(Heads[I] + 1);
+      continue;
+    }
+    for (uint32_t Next : successorsOf(Subject, Steps))
+      AddHead(Next);
+    Result.push_back(std::move(Steps));
+  }
+  std::ranges::sort(Result, std::greater(), [&](const Segment &Steps) {
+    return std::pair(Executed[Steps.front().Word], Steps.front().Word);
+  });
+  return Result;
+}
+
+} // namespace tp

@@ -1,0 +1,49 @@
+//===- Segment.h - Instructions that are compiled together ------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_JIT_SEGMENT_H
+#define TP_SIMULATOR_JIT_SEGMENT_H
+
+#include "simulator/core/CodeGenerator.h"
+#include "simulator/jit/ControlFlow.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tp {
+
+/// One instruction of a segment.
+struct SegmentStep {
+  /// Number in the text.
+  uint32_t Word = 0;
+  /// The next step is the instruction's target, not the next word.
+  bool FollowsTarget = false;
+};
+
+/// A way through the text without joins: it is entered at its first step only
+/// and may be left at any.
+using Segment = std::vector<SegmentStep>;
+
+/// The longest segment.
+inline constexpr size_t MaxSegmentSteps = 32;
+
+/// The segment that begins at \p Head: along the hotter side of each branch, up
+/// to what only the interpreter does, and to the first use of what it has
+/// itself loaded from other than the stack: there a thread will likely sleep,
+/// and a segment begins where it wakes up. Empty if the interpreter must do
+/// the first instruction. \p ExecutedAt says how often each word was executed.
+Segment formSegment(const CodeSubject &Subject, uint32_t Head,
+                    std::span<const uint64_t> ExecutedAt);
+
+/// The words of the text where a thread may go from a segment, as far as the
+/// text says, and where it will come back to from calls.
+std::vector<uint32_t> successorsOf(const CodeSubject &Subject,
+                                   const Segment &Steps);
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_JIT_SEGMENT_H
