@@ -51,6 +51,9 @@ public:
       : GenericOptTable(OptionStrTable, OptionPrefixesTable, InfoTable) {}
 };
 
+/// The largest immediate of `prof`.
+constexpr uint32_t MaxMarker = 0xFFFF;
+
 /// Turns parsed arguments into Options and keeps the first error.
 class OptionReader {
 public:
@@ -60,7 +63,8 @@ public:
     Options Result;
     Result.Help = Arguments.hasArg(OPT_help);
     Result.Version = Arguments.hasArg(OPT_version);
-    if (Result.Help || Result.Version)
+    Result.PrintChipSchema = Arguments.hasArg(OPT_print_chip_schema);
+    if (Result.Help || Result.Version || Result.PrintChipSchema)
       return Result;
     Result.Quiet = Arguments.hasArg(OPT_quiet);
     Result.PrintChip = Arguments.hasArg(OPT_print_chip);
@@ -69,8 +73,9 @@ public:
     Result.HostThreads = number(OPT_host_threads, 1, MaxHostThreads,
                                 std::min(Cores, MaxHostThreads));
     Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
-    Result.StatisticsOutput = Arguments.getLastArgValue(OPT_stats).str();
     Result.ChipSettings = Arguments.getAllArgValues(OPT_set);
+    readStatistics(Result);
+    readLongRun(Result);
     readCacheTrace(Result);
     readMemoryDumps(Result);
     readProgram(Result);
@@ -101,6 +106,71 @@ private:
           "': expected a whole number from " + Twine(Min) + " to " +
           Twine(Max));
     return Default;
+  }
+
+  void readStatistics(Options &Result) {
+    Result.StatisticsOutput = Arguments.getLastArgValue(OPT_stats).str();
+    Result.PerPc = Arguments.hasArg(OPT_per_pc);
+    if (Result.PerPc && Result.StatisticsOutput.empty())
+      error("--per-pc has no meaning without --stats; give the file to write");
+    Result.Interval = number(OPT_interval, 1, INT64_MAX, 0);
+    Result.IntervalOutput =
+        Arguments.getLastArgValue(OPT_interval_output).str();
+    if (Arguments.hasArg(OPT_interval) != Arguments.hasArg(OPT_interval_output))
+      error("--interval and --interval-output need each other: cycles of an "
+            "interval, and the file to write");
+    StringRef Path = Result.IntervalOutput;
+    if (Arguments.hasArg(OPT_interval_output) && !Path.ends_with(".csv") &&
+        !Path.ends_with(".json"))
+      error("--interval-output '" + Path +
+            "': expected a file that ends in .csv or .json");
+    exclude(OPT_functional, OPT_interval, "the functional mode has no cycles");
+  }
+
+  /// Two options that exclude each other.
+  void exclude(OptionId First, OptionId Second, const char *Why) {
+    const Arg *A = Arguments.getLastArg(First);
+    const Arg *B = Arguments.getLastArg(Second);
+    if (A && B)
+      error(A->getSpelling().rtrim('=') + " and " +
+            B->getSpelling().rtrim('=') + " exclude each other: " + Why);
+  }
+
+  void readRegions(Options &Result) {
+    StringRef Text = Arguments.getLastArgValue(OPT_regions);
+    auto [Begin, End] = Text.split(':');
+    MarkerRegion Region;
+    if (Begin.getAsInteger(10, Region.Begin) ||
+        End.getAsInteger(10, Region.End) || Region.Begin > MaxMarker ||
+        Region.End > MaxMarker || Region.Begin == Region.End)
+      error("--regions '" + Text +
+            "': expected the numbers of two different profile markers, "
+            "<begin>:<end>");
+    Result.Regions = Region;
+  }
+
+  void readLongRun(Options &Result) {
+    Result.Functional = Arguments.hasArg(OPT_functional);
+    if (Arguments.hasArg(OPT_fast_forward))
+      Result.FastForward = uint32_t(number(OPT_fast_forward, 0, MaxMarker, 0));
+    if (Arguments.hasArg(OPT_regions))
+      readRegions(Result);
+    Result.CheckpointOutput = Arguments.getLastArgValue(OPT_checkpoint).str();
+    Result.CheckpointEvery = number(OPT_checkpoint_every, 1, INT64_MAX, 0);
+    Result.RestoreInput = Arguments.getLastArgValue(OPT_restore).str();
+    for (OptionId Id : {OPT_checkpoint, OPT_restore})
+      if (Arguments.hasArg(Id) && Arguments.getLastArgValue(Id).empty())
+        error(Arguments.getLastArg(Id)->getSpelling().rtrim('=') +
+              " is empty; give it the path of a checkpoint file");
+    if (Arguments.hasArg(OPT_checkpoint_every) &&
+        !Arguments.hasArg(OPT_checkpoint))
+      error("--checkpoint-every has no meaning without --checkpoint; give the "
+            "file to write");
+    for (OptionId Id : {OPT_fast_forward, OPT_regions, OPT_checkpoint,
+                        OPT_restore, OPT_max_cycles})
+      exclude(OPT_functional, Id, "the functional mode has no cycles");
+    exclude(OPT_fast_forward, OPT_restore,
+            "the saved run has its beginning behind it");
   }
 
   void readCacheTrace(Options &Result) {

@@ -16,6 +16,7 @@
 #include "llvm/Support/raw_ostream.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,19 @@ namespace tp {
 /// More threads than this are a mistake.
 inline constexpr unsigned MaxHostThreads = 1024;
 
+/// The profile markers between which a run is measured.
+struct MarkerRegion {
+  uint32_t Begin = 0;
+  uint32_t End = 0;
+};
+
 /// What the user asked for.
 struct Options {
   bool Help = false;
   bool Version = false;
   bool Quiet = false;
   bool PrintChip = false;
+  bool PrintChipSchema = false;
   std::string Program;
   std::vector<std::string> ProgramArguments;
   std::string Chip;
@@ -44,6 +52,12 @@ struct Options {
   std::string BvhOutput;
   /// JSON file, `-` for standard output; empty: none.
   std::string StatisticsOutput;
+  /// Also the counts of each instruction.
+  bool PerPc = false;
+  /// Cycles of an interval of the series, and its CSV or JSON file; 0 and
+  /// empty: none.
+  uint64_t Interval = 0;
+  std::string IntervalOutput;
   std::vector<MemoryDumpRequest> MemoryDumps;
   /// JSON file for a deletion in a cache; empty: none.
   std::string CacheTraceOutput;
@@ -51,6 +65,17 @@ struct Options {
   unsigned HostThreads = 1;
   /// 0: no limit.
   uint64_t MaxCycles = 0;
+  /// All of the run without timing.
+  bool Functional = false;
+  /// The marker up to which the run has no timing.
+  std::optional<uint32_t> FastForward;
+  std::optional<MarkerRegion> Regions;
+  /// File for the run's state; empty: none.
+  std::string CheckpointOutput;
+  /// In cycles; 0: only when the run ends early.
+  uint64_t CheckpointEvery = 0;
+  /// File with the state to go on from; empty: none.
+  std::string RestoreInput;
 };
 
 /// Parses the arguments after the program's name. Errors say what is allowed.

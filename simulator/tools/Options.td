@@ -23,6 +23,8 @@ def version : LongFlag<"version", "Print the version">;
 def quiet : LongFlag<"quiet", "No table and no progress line">;
 def print_chip : LongFlag<"print-chip",
                       "Print the chip with every value resolved, as a chip file">;
+def print_chip_schema : LongFlag<"print-chip-schema",
+                             "Print the keys of chip files as a table">;
 
 defm chip : LongValue<"chip", "<name|file.yaml>", "Chip (default: report-512x8)">;
 defm set : LongValue<"set", "<path>=<value>",
@@ -40,6 +42,12 @@ defm bvh_output : LongValue<"bvh-output", "<file>",
                         "Write the BVH that the kernel built">;
 defm stats : LongValue<"stats", "<file>",
                    "Write the statistics as JSON; - is standard output">;
+def per_pc : LongFlag<"per-pc",
+                     "Counts and stalls of each instruction in the statistics">;
+defm interval : LongValue<"interval", "<n>",
+                      "Length of an interval of the series in cycles">;
+defm interval_output : LongValue<"interval-output", "<file.csv|file.json>",
+                             "Write a series of intervals; JSON is a trace for Perfetto">;
 defm dump_memory : LongValue<"dump-memory", "<variable>=<file>",
                          "Write a variable's bytes after the run">;
 defm trace_cache : LongValue<"trace-cache", "<file>",
@@ -52,6 +60,18 @@ defm host_threads : LongValue<"host-threads", "<n>",
                           "Threads of the host to use (default: all)">;
 defm max_cycles : LongValue<"max-cycles", "<n>",
                         "Stop with status 1 after so many cycles">;
+def functional : LongFlag<"functional",
+                         "Execute without timing: no cycles, but fast">;
+defm fast_forward : LongValue<"fast-forward", "<marker>",
+                          "Without timing up to this profile marker">;
+defm regions : LongValue<"regions", "<begin>:<end>",
+                     "Count only between these profile markers">;
+defm checkpoint : LongValue<"checkpoint", "<file>",
+                        "Where to save the run's state, also on Ctrl-C">;
+defm checkpoint_every : LongValue<"checkpoint-every", "<n>",
+                              "Save it every so many cycles">;
+defm restore : LongValue<"restore", "<file>",
+                     "Go on from a saved state of the same run">;
 def o : Option<["-"], "o", KIND_JOINED_OR_SEPARATE>, MetaVarName<"<file.png>">,
         HelpText<"Write the image">;
 def end_of_options : Option<["--"], "", KIND_REMAINING_ARGS>,

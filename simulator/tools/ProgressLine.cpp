@@ -24,16 +24,21 @@ static std::string duration(double Seconds) {
   return formatv("{0} h {1} min", Whole / 3600, Whole / 60 % 60);
 }
 
-std::string progressText(const Progress &Now, double Seconds,
-                         std::optional<double> Share) {
-  double Rate = Seconds > 0 ? Now.Instructions / Seconds / 1e6 : 0;
-  std::string Text = formatv(
-      "cycle {0:N}, {1:F1} million thread-instructions/s", Now.Cycles, Rate);
-  if (!Share)
-    return Text + formatv(", {0:N} threads halted", Now.HaltedThreads).str();
-  Text += formatv(", {0:F1} % done", *Share * 100);
-  if (*Share > 0)
-    Text += ", " + duration(Seconds * (1 - *Share) / *Share) + " left";
+std::string progressText(const ProgressPoint &Start, const ProgressPoint &Now,
+                         double Seconds) {
+  uint64_t Instructions = Now.Counts.Instructions - Start.Counts.Instructions;
+  std::string Text;
+  if (Now.Counts.Cycles != 0)
+    Text = formatv("cycle {0:N}, ", Now.Counts.Cycles);
+  Text += formatv("{0:F1} million thread-instructions/s",
+                  Seconds > 0 ? Instructions / Seconds / 1e6 : 0);
+  if (!Now.Share)
+    return Text +
+           formatv(", {0:N} threads halted", Now.Counts.HaltedThreads).str();
+  Text += formatv(", {0:F1} % done", *Now.Share * 100);
+  double Done = *Now.Share - Start.Share.value_or(0);
+  if (Done > 0)
+    Text += ", " + duration(Seconds * (1 - *Now.Share) / Done) + " left";
   return Text;
 }
 
@@ -44,7 +49,7 @@ ProgressLine::ProgressLine(bool Enabled)
 void ProgressLine::update(const Progress &Now, std::optional<double> Share) {
   if (!Enabled)
     return;
-  errs() << "\r\033[K" << progressText(Now, seconds(), Share);
+  errs() << "\r\033[K" << progressText(First, {Now, Share}, seconds());
   errs().flush();
   Visible = true;
 }

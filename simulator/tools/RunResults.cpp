@@ -8,7 +8,6 @@
 
 #include "kernels/common/BuiltBvh.h"
 #include "scenes/image/PngWriter.h"
-#include "simulator/stats/JsonReport.h"
 #include "simulator/tools/CacheTrace.h"
 #include "simulator/tools/Simulation.h"
 
@@ -33,7 +32,7 @@ static const char *outcomeName(RunResult::EndKind End) {
   llvm_unreachable("every end has a name");
 }
 
-static int exitStatus(const RunResult &Result) {
+int exitStatus(const RunResult &Result) {
   switch (Result.End) {
   case RunResult::Halted:
     return Result.ExitStatus;
@@ -52,6 +51,11 @@ RunSummary summaryOf(const RunResult &Result, const Options &Request,
                      const Statistics &Stats) {
   RunSummary Run{Chip, Stats,       outcomeName(Result.End), exitStatus(Result),
                  {},   std::nullopt};
+  Run.TextBegin = Loaded.Text.textBegin();
+  Run.Opcodes = Loaded.opcodes();
+  if (Request.PerPc)
+    Run.FramesOf = [Symbols = std::make_shared<Symbolizer>(Loaded.Elf)](
+                       uint32_t Pc) { return Symbols->frames(Pc); };
   if (!Loaded.Source)
     return Run;
   const RenderOptions &Image = Request.Rendering;
@@ -121,7 +125,8 @@ static llvm::Error writeCacheTrace(const RayProfiler &Rays,
 
 static llvm::Error writeOutputs(const RunSummary &Run, const Options &Request,
                                 const LaunchBlock &Launch,
-                                const ProgramMemory &Memory) {
+                                const ProgramMemory &Memory,
+                                JsonFunction &WriteJson) {
   llvm::Error Failures = llvm::Error::success();
   auto Note = [&Failures](llvm::Error E) {
     Failures = joinErrors(std::move(Failures), std::move(E));
@@ -133,7 +138,7 @@ static llvm::Error writeOutputs(const RunSummary &Run, const Options &Request,
       Note(createStringError(S.message()));
   if (!Request.StatisticsOutput.empty())
     Note(writeTo(Request.StatisticsOutput,
-                 [&](raw_ostream &OS) { writeJson(Run, OS); }));
+                 [&](raw_ostream &OS) { WriteJson(Run, OS); }));
   return Failures;
 }
 
@@ -148,14 +153,13 @@ static llvm::Error flushOutput() {
 }
 
 llvm::Error writeResults(RunSummary &Run, const Options &Request,
-                         const RunSetup &Loaded) {
+                         const RunSetup &Loaded, JsonFunction &WriteJson) {
   llvm::Error Failures =
       Loaded.Rays ? addRayProfiles(*Loaded.Rays, Run) : llvm::Error::success();
   auto Note = [&Failures](llvm::Error E) {
     Failures = joinErrors(std::move(Failures), std::move(E));
   };
-  Note(writeOutputs(Run, Request, Loaded.Block, Loaded.Launch));
-  Note(checkSums(Run.Chip, Run.Stats));
+  Note(writeOutputs(Run, Request, Loaded.Block, Loaded.Launch, WriteJson));
   Note(flushOutput());
   if (!Request.CacheTraceOutput.empty())
     Note(writeCacheTrace(*Loaded.Rays, Request, Loaded.Block, Loaded.Launch));
@@ -167,12 +171,12 @@ llvm::Error writeResults(RunSummary &Run, const Options &Request,
 }
 
 void explainEnd(const RunResult &Result, const Options &Request,
-                const ChipConfig &Chip, const ElfProgram &Elf,
+                const ChipConfig &Chip, const ElfProgram &Elf, TrapClock Clock,
                 const RegisterFunction &Registers) {
   if (const std::optional<Trap> &Cause = Result.TrapInfo) {
     Symbolizer Symbols(Elf);
     WithColor::error(errs(), "tpsim")
-        << trapMessage(*Cause, Chip, Elf, Symbols, Registers) << '\n';
+        << trapMessage(*Cause, Clock, Chip, Elf, Symbols, Registers) << '\n';
   } else if (Result.End == RunResult::CycleLimit) {
     WithColor::error(errs(), "tpsim")
         << "stopped after " << Request.MaxCycles << " cycles (--max-cycles)\n";

@@ -20,15 +20,21 @@ RunSummary summaryOf(const RunResult &Result, const Options &Request,
                      const RunSetup &Loaded, const ChipConfig &Chip,
                      const Statistics &Stats);
 
-/// Adds to \p Run what its rays did, checks its sums and writes all that the
-/// user asked for but the table.
+/// tpsim's exit status after a run.
+int exitStatus(const RunResult &Result);
+
+/// writeJson() or writeFunctionalJson().
+using JsonFunction = void(const RunSummary &Run, llvm::raw_ostream &OS);
+
+/// Adds to \p Run what its rays did and writes all that the user asked for but
+/// the table.
 llvm::Error writeResults(RunSummary &Run, const Options &Request,
-                         const RunSetup &Loaded);
+                         const RunSetup &Loaded, JsonFunction &WriteJson);
 
 /// Why the run did not end as the program wanted, to standard error. \p
 /// Registers are those of the thread that trapped.
 void explainEnd(const RunResult &Result, const Options &Request,
-                const ChipConfig &Chip, const ElfProgram &Elf,
+                const ChipConfig &Chip, const ElfProgram &Elf, TrapClock Clock,
                 const RegisterFunction &Registers);
 
 } // namespace tp

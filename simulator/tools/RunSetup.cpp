@@ -40,9 +40,9 @@ static llvm::Error checkWritable(StringRef Path) {
 }
 
 static llvm::Error checkOutputs(const Options &Request) {
-  SmallVector<StringRef> Paths = {Request.ImageOutput, Request.BvhOutput,
-                                  Request.StatisticsOutput,
-                                  Request.CacheTraceOutput};
+  SmallVector<StringRef> Paths = {
+      Request.ImageOutput, Request.BvhOutput, Request.StatisticsOutput,
+      Request.IntervalOutput, Request.CacheTraceOutput};
   for (const MemoryDumpRequest &Dump : Request.MemoryDumps)
     Paths.push_back(Dump.Path);
   for (StringRef Path : Paths)
@@ -102,6 +102,13 @@ RunSetup::RunSetup(ElfProgram Loaded, std::optional<Scene> Source,
     : Elf(std::move(Loaded)), Source(std::move(Source)), Text(decodeText(Elf)),
       Global(MemoryBytes), Launch(Elf, Global) {}
 
+std::vector<Opcode> RunSetup::opcodes() const {
+  std::vector<Opcode> Opcodes;
+  for (const Instruction &Decoded : Text.instructions())
+    Opcodes.push_back(Decoded.Op);
+  return Opcodes;
+}
+
 Expected<std::unique_ptr<RunSetup>> setUp(const Options &Request,
                                           const ChipConfig &Chip) {
   Expected<ElfProgram> Elf = ElfProgram::load(Request.Program);
@@ -123,7 +130,7 @@ Expected<std::unique_ptr<RunSetup>> setUp(const Options &Request,
   append_range(ToLaunch.Arguments, Request.ProgramArguments);
   ToLaunch.SceneToRender = Result->Source ? &*Result->Source : nullptr;
   ToLaunch.Rendering = Request.Rendering;
-  ToLaunch.ThreadCount = Chip.threadCount();
+  ToLaunch.ThreadCount = Result->ThreadCount = Chip.threadCount();
   Expected<LaunchBlock> Block =
       setUpProgram(Result->Elf, ToLaunch, Result->Global, Result->Launch);
   if (!Block)

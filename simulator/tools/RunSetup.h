@@ -30,6 +30,7 @@ struct RunSetup {
   Memory Global;
   ProgramMemory Launch;
   LaunchBlock Block = {};
+  uint32_t ThreadCount = 0;
   std::vector<MemoryDump> Dumps;
   /// Who interprets the run's ray events; null if the user will not see what
   /// they say.
@@ -37,6 +38,9 @@ struct RunSetup {
 
   RunSetup(ElfProgram Loaded, std::optional<Scene> Source,
            uint64_t MemoryBytes);
+
+  /// The words of the text.
+  std::vector<Opcode> opcodes() const;
 };
 
 /// Loads what \p Request names into the memory of \p Chip. Fails now and not

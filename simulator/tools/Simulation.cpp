@@ -7,12 +7,14 @@
 #include "simulator/tools/Simulation.h"
 
 #include "simulator/core/Engine.h"
+#include "simulator/stats/JsonReport.h"
+#include "simulator/stats/SumCheck.h"
 #include "simulator/stats/TableReport.h"
+#include "simulator/tools/FunctionalRun.h"
 #include "simulator/tools/Interrupt.h"
-#include "simulator/tools/ProgressLine.h"
+#include "simulator/tools/IntervalTask.h"
 #include "simulator/tools/RunLoop.h"
 #include "simulator/tools/RunResults.h"
-#include "simulator/tools/RunSetup.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/WithColor.h"
@@ -27,33 +29,44 @@ void reportError(llvm::Error E) {
     WithColor::error(errs(), "tpsim") << Line << '\n';
 }
 
-/// Passes the program's output on, so that nothing else is on standard output.
-static OutputFunction passOn(ProgressLine &Line) {
-  return [&Line](int Fd, std::string_view Bytes) {
-    Line.clear();
-    raw_fd_ostream &OS = Fd == 2 ? errs() : outs();
-    OS << Bytes;
-    if (OS.is_displayed())
-      OS.flush();
-  };
-}
-
-/// The limits that the user set, with a progress line.
-static RunLimits limitsOf(const Options &Request, const RunSetup &Loaded,
-                          uint32_t Threads, ProgressLine &Line) {
+/// Runs \p Machine to its end and reports.
+static Expected<int> runInCycles(const Options &Request, const ChipConfig &Chip,
+                                 RunSetup &Loaded, RunConsole &Console,
+                                 Engine &Machine) {
   RunLimits Limits;
   Limits.MaxCycles = Request.MaxCycles;
   Limits.Stop = &stopOnInterrupt();
-  Limits.Report = [&Line, &Loaded, Threads](const Progress &Now) {
-    std::optional<double> Share;
-    if (Loaded.Source) {
-      double Pixels = double(Loaded.Block.Width) * Loaded.Block.Height;
-      Share = readPixelsTaken(Loaded.Block, Threads, Loaded.Launch) / Pixels;
-    }
-    Line.update(Now, Share);
-    outs().flush();
-  };
-  return Limits;
+  Limits.Report = [&](const Progress &Now) { Console.report(Now); };
+  SmallVector<RunTask *> Tasks;
+  std::unique_ptr<IntervalTask> Intervals;
+  if (Request.Interval != 0) {
+    if (llvm::Error E =
+            IntervalTask::start(Request, Chip, Loaded.opcodes(), Machine)
+                .moveInto(Intervals))
+      return E;
+    Tasks.push_back(Intervals.get());
+  }
+  Expected<RunResult> Result = runToEnd(Machine, Limits, Tasks);
+  HostSpeed Speed{Console.finish(), Request.HostThreads};
+  if (!Result)
+    return Result.takeError();
+
+  Statistics Stats = Machine.statistics();
+  RunSummary Run = summaryOf(*Result, Request, Loaded, Chip, Stats);
+  llvm::Error Failures = writeResults(Run, Request, Loaded, writeJson);
+  if (Intervals)
+    Failures = joinErrors(std::move(Failures), Intervals->finish(Machine));
+  Failures =
+      joinErrors(std::move(Failures), checkSums(Chip, Stats, Run.Opcodes));
+  if (!Request.Quiet)
+    writeTable(Run, Speed, errs());
+  explainEnd(*Result, Request, Chip, Loaded.Elf, TrapClock::Cycles,
+             [&](unsigned Register) {
+               return Machine.registerOf(Result->TrapInfo->Thread, Register);
+             });
+  if (Failures)
+    return Failures;
+  return Run.ExitStatus;
 }
 
 Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
@@ -61,33 +74,26 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   if (!Setup)
     return Setup.takeError();
   RunSetup &Loaded = **Setup;
-  Engine Machine(Chip, Loaded.Text, Loaded.Global);
+  RunConsole Console(Request, Loaded);
+  if (Request.Functional)
+    return runFunctionally(Request, Chip, Loaded, Console);
+
+  Engine Machine(Chip, Loaded.Text, Loaded.Global, makeMemorySystem(Chip));
   if (!Machine.error().empty())
     return createStringError(Machine.error());
-  ProgressLine Line(!Request.Quiet);
   Machine.setHostThreads(Request.HostThreads);
-  Machine.setOutput(passOn(Line));
+  Machine.setOutput(
+      [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
-
-  SmallVector<RunTask *> Tasks;
-  Expected<RunResult> Result = runToEnd(
-      Machine, limitsOf(Request, Loaded, Chip.threadCount(), Line), Tasks);
-  HostSpeed Speed{Line.seconds(), Request.HostThreads};
-  Line.clear();
-  if (!Result)
-    return Result.takeError();
-
-  Statistics Stats = Machine.statistics();
-  RunSummary Run = summaryOf(*Result, Request, Loaded, Chip, Stats);
-  llvm::Error Failures = writeResults(Run, Request, Loaded);
-  if (!Request.Quiet)
-    writeTable(Run, Speed, errs());
-  explainEnd(*Result, Request, Chip, Loaded.Elf, [&](unsigned Register) {
-    return Machine.registerOf(Result->TrapInfo->Thread, Register);
-  });
-  if (Failures)
-    return Failures;
-  return Run.ExitStatus;
+  if (Request.FastForward) {
+    Expected<std::optional<int>> End =
+        fastForward(Request, Chip, Loaded, Console, Machine);
+    if (!End)
+      return End.takeError();
+    if (*End)
+      return **End;
+  }
+  return runInCycles(Request, Chip, Loaded, Console, Machine);
 }
 
 } // namespace tp

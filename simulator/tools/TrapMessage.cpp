@@ -86,13 +86,17 @@ static std::string instructionText(uint32_t Pc, const ElfProgram &Program,
   return Line;
 }
 
-std::string trapMessage(const Trap &T, const ChipConfig &Chip,
+std::string trapMessage(const Trap &T, TrapClock Clock, const ChipConfig &Chip,
                         const ElfProgram &Program, Symbolizer &Symbols,
                         const RegisterFunction &Registers) {
   std::string Message;
   raw_string_ostream OS(Message);
   OS << "thread " << T.Thread << " (TM " << T.Thread / Chip.TpsPerTm << ", TP "
-     << T.Thread % Chip.TpsPerTm << ") trapped at cycle " << T.Cycle << ": ";
+     << T.Thread % Chip.TpsPerTm << ") trapped ";
+  if (Clock == TrapClock::Cycles)
+    OS << "at cycle " << T.Cycle << ": ";
+  else
+    OS << "after " << T.Cycle << " instructions: ";
   std::optional<std::string> Check = failedCheck(T, Registers);
   OS << (Check ? *Check : T.what());
   if (T.Kind == TrapKind::AddressOutOfRange &&

@@ -20,10 +20,14 @@ namespace tp {
 /// Reads a register of the thread that trapped: 0..31 integer, 32..63 float.
 using RegisterFunction = std::function<uint32_t(unsigned Register)>;
 
+/// What Trap::Cycle counts: cycles, or the thread's instructions in the
+/// functional mode.
+enum class TrapClock { Cycles, Instructions };
+
 /// Who trapped, when, why, where in the source with the calls that were inlined
 /// there, and the instruction with its operands. Several lines, without
 /// `tpsim: error: ` and the last line end.
-std::string trapMessage(const Trap &T, const ChipConfig &Chip,
+std::string trapMessage(const Trap &T, TrapClock Clock, const ChipConfig &Chip,
                         const ElfProgram &Program, Symbolizer &Symbols,
                         const RegisterFunction &Registers);
 

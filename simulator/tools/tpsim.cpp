@@ -6,6 +6,7 @@
 
 #include "simulator/chip/ChipFile.h"
 #include "simulator/chip/ChipSettings.h"
+#include "simulator/chip/SchemaTable.h"
 #include "simulator/tools/Options.h"
 #include "simulator/tools/Simulation.h"
 
@@ -35,6 +36,10 @@ static Expected<int> run(int Argc, char **Argv) {
   }
   if (Request->Version) {
     outs() << "tpsim " TP_VERSION "\n";
+    return 0;
+  }
+  if (Request->PrintChipSchema) {
+    tp::writeSchemaTable(outs());
     return 0;
   }
   std::string ChipFolder = chipFolder(Argv[0]);

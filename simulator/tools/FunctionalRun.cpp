@@ -1,0 +1,82 @@
+//===- FunctionalRun.cpp - A run, or its beginning, without timing --------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/tools/FunctionalRun.h"
+
+#include "simulator/functional/FunctionalMachine.h"
+#include "simulator/stats/FunctionalReport.h"
+#include "simulator/tools/Interrupt.h"
+#include "simulator/tools/RunResults.h"
+
+using namespace llvm;
+
+namespace tp {
+
+static RunResult run(FunctionalMachine &Machine, RunSetup &Loaded,
+                     RunConsole &Console, std::optional<uint32_t> StopMarker) {
+  Machine.setOutput(
+      [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
+  Machine.setObserver(Loaded.Rays.get());
+  FunctionalLimits Limits;
+  Limits.StopMarker = StopMarker;
+  Limits.Stop = &stopOnInterrupt();
+  Limits.Report = [&](const Progress &Now) { Console.report(Now); };
+  return Machine.run(Limits);
+}
+
+static void explainEnd(const RunResult &Result, const Options &Request,
+                       const ChipConfig &Chip, const RunSetup &Loaded,
+                       const FunctionalMachine &Machine) {
+  explainEnd(Result, Request, Chip, Loaded.Elf, TrapClock::Instructions,
+             [&](unsigned Register) {
+               return Machine.registerOf(Result.TrapInfo->Thread, Register);
+             });
+}
+
+Expected<int> runFunctionally(const Options &Request, const ChipConfig &Chip,
+                              RunSetup &Loaded, RunConsole &Console) {
+  FunctionalMachine Machine(Chip, Loaded.Text, Loaded.Global);
+  if (!Machine.error().empty())
+    return createStringError(Machine.error());
+  RunResult Result = run(Machine, Loaded, Console, std::nullopt);
+  HostSpeed Speed{Console.finish(), 1};
+
+  Statistics Stats = Machine.statistics();
+  RunSummary Run = summaryOf(Result, Request, Loaded, Chip, Stats);
+  llvm::Error Failures =
+      writeResults(Run, Request, Loaded, writeFunctionalJson);
+  Failures = joinErrors(std::move(Failures), checkFunctionalSums(Chip, Stats));
+  if (!Request.Quiet)
+    writeFunctionalTable(Run, Speed, errs());
+  explainEnd(Result, Request, Chip, Loaded, Machine);
+  if (Failures)
+    return Failures;
+  return Run.ExitStatus;
+}
+
+Expected<std::optional<int>> fastForward(const Options &Request,
+                                         const ChipConfig &Chip,
+                                         RunSetup &Loaded, RunConsole &Console,
+                                         Engine &Machine) {
+  FunctionalMachine Beginning(Chip, Loaded.Text, Loaded.Global);
+  if (!Beginning.error().empty())
+    return createStringError(Beginning.error());
+  RunResult Result = run(Beginning, Loaded, Console, Request.FastForward);
+  if (Result.End == RunResult::Halted)
+    return createStringError(
+        "--fast-forward " + Twine(*Request.FastForward) +
+        ": all threads halted before that marker; the program passes it "
+        "nowhere (__builtin_tp_prof), or only some threads do");
+  if (Result.End != RunResult::Paused) {
+    Console.finish();
+    explainEnd(Result, Request, Chip, Loaded, Beginning);
+    return exitStatus(Result);
+  }
+  Machine.setInitialState(Beginning.threads());
+  return std::nullopt;
+}
+
+} // namespace tp
