@@ -8,6 +8,7 @@
 
 #include "kernels/profile/RayProfileText.h"
 #include "kernels/profile/RayProfiler.h"
+#include "simulator/stats/JsonBlocks.h"
 #include "simulator/stats/JsonReport.h"
 #include "simulator/stats/RayProfileJson.h"
 #include "simulator/stats/TableText.h"
@@ -26,7 +27,7 @@ static uint64_t raysOf(const RunSummary &Run) {
   return std::accumulate(Run.Rays.begin(), Run.Rays.end(), uint64_t(0));
 }
 
-static void writeThreads(const RunSummary &Run, json::OStream &Json) {
+static void writeThreadCounts(const RunSummary &Run, json::OStream &Json) {
   Json.attributeObject("threads", [&] {
     Json.attributeArray("instructions", [&] {
       for (const ThreadStatistics &Thread : Run.Stats.Threads)
@@ -71,7 +72,8 @@ void writeFunctionalJson(const RunSummary &Run, raw_ostream &OS) {
         if (uint64_t Passes = Run.Stats.Markers[I])
           Json.attribute(std::to_string(I), Passes);
     });
-    writeThreads(Run, Json);
+    writePcs(Run, Json);
+    writeThreadCounts(Run, Json);
   });
   OS << '\n';
 }
