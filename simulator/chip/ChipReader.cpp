@@ -32,6 +32,10 @@ public:
 
   void finish() { Open.back().finish(); }
 
+  void exclude(StringRef Name, StringRef Other) override {
+    Open.back().exclude(Name, Other);
+  }
+
 private:
   /// The sections around the place of reading.
   std::deque<YamlSection> Open;

@@ -148,6 +148,8 @@ private:
                    "departure from the last level before memory, to its result",
                    Optional},
                   C.MemoryLatency, {1, MaxLatency});
+      else
+        V.exclude("latency_cycles", "memory.dram");
     });
   }
 

@@ -110,6 +110,8 @@ public:
 
   /// Whether keys that exclude each other are all to be visited.
   virtual bool visitsAll() const { return false; }
+  /// Key \p Name is of no use here, because the chip has \p Other.
+  virtual void exclude(llvm::StringRef Name, llvm::StringRef Other) {}
 
 private:
   virtual void visitInteger(const KeyInfo &Key, uint64_t &Value,

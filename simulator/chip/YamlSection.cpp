@@ -171,6 +171,14 @@ YamlSection YamlSection::section(StringRef Key, Presence P) {
   return YamlSection(Errors, Entry->Value, Entry->Line, pathOf(Key));
 }
 
+void YamlSection::exclude(StringRef Key, StringRef Other) {
+  Allowed.push_back(Key.str());
+  if (const YamlEntry *Entry = Mapping.find(Key))
+    Errors.add(Entry->Value.Line, "'" + pathOf(Key) +
+                                      "' does nothing on a chip with " + Other +
+                                      "; leave one of them out");
+}
+
 void YamlSection::finish() {
   for (const YamlEntry &Entry : Mapping.Entries) {
     if (is_contained(Allowed, Entry.Key))

@@ -90,6 +90,9 @@ public:
   /// True if the file gives \p Key. Counts as asking for it.
   bool has(llvm::StringRef Key);
 
+  /// Reports \p Key, if the file gives it: \p Other makes it useless.
+  void exclude(llvm::StringRef Key, llvm::StringRef Other);
+
   /// Reports every key that no other function was called with.
   void finish();
 

@@ -159,7 +159,8 @@ TEST(ChipMemory, RefusesWhatDoesNotFitTogether) {
       {"write_low_mark: 28", "write_low_mark: 29", "less than write_high_mark"},
       {"write_high_mark: 29", "write_high_mark: 32", "at most write_entries"},
       {"  dram:\n", "  latency_cycles: 5\n  dram:\n",
-       "unknown key 'memory.latency_cycles'"},
+       "'memory.latency_cycles' does nothing on a chip with memory.dram; leave "
+       "one of them out"},
       {"source: \"nowhere\"", "source: \"\"",
        "'memory.dram.source' is nothing"},
   };
