@@ -159,6 +159,7 @@ void Cache::place(uint32_t Sector) {
   CacheLine *Line = lineFor(Sector);
   Line->Valid |= maskOf(Sector);
   Line->Dirty |= maskOf(Sector);
+  Blocked = 0;
 }
 
 bool Cache::serveAtomic(uint32_t Index) {

@@ -121,8 +121,12 @@ private:
     Waiting |= uint64_t(1) << Bank;
   }
   void serveBanks() {
-    for (uint64_t Left = Waiting & ~Blocked; Left != 0; Left &= Left - 1)
-      serveBank(unsigned(std::countr_zero(Left)));
+    uint64_t Above = ~uint64_t(0);
+    while (uint64_t Left = Waiting & ~Blocked & Above) {
+      unsigned Bank = unsigned(std::countr_zero(Left));
+      serveBank(Bank);
+      Above = ~uint64_t(1) << Bank;
+    }
   }
 
   void completeFill();
@@ -164,8 +168,8 @@ private:
   /// A heap of the sectors whose arrival is known.
   std::vector<Fill> Fills;
   std::vector<AccessList> Banks;
-  /// Banks with accesses, and those whose first one waits for a miss register,
-  /// as masks.
+  /// Banks with accesses, and those whose first one waits for a miss register
+  /// and cannot be served before sectors arrive, as masks.
   uint64_t Waiting = 0;
   uint64_t Blocked = 0;
   CacheStatistics Counts;

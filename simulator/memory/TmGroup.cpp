@@ -52,6 +52,7 @@ void TmGroup::passOn(const Access &Request) {
   Burst.Tag = DramChannels::NoAnswer;
   Burst.IsWrite = true;
   Outgoing.push_back(Burst);
+  ++Sent;
 }
 
 void TmGroup::deliver(uint64_t Limit) {
@@ -133,8 +134,10 @@ void TmGroup::receive(const BurstAnswer &Answer) {
 }
 
 void TmGroup::addTo(MemoryStatistics &Sum) {
-  if (!L2)
+  if (!L2) {
+    Sum.SentByTms += Sent;
     return;
+  }
   *Sum.L2 += L2->statistics();
   Sum.SentByTmsUnderWay += Requests.size() + L2->queueLength();
   Sum.SentByL2s += Sent;

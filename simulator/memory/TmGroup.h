@@ -92,6 +92,7 @@ private:
   std::optional<Cache> L2;
   std::vector<BurstAnswer> Answers;
   uint32_t NextSequence = 0;
+  /// By the L2; without one, what atomics write.
   uint64_t Sent = 0;
   uint64_t NextReturn = NoCycle;
 };

@@ -9,7 +9,6 @@
 #include "gtest/gtest.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace tp::test {
 
@@ -83,50 +82,6 @@ Outcome MemoryHarness::outcome(uint32_t Ticket) const {
   auto Found = Answered.find(Ticket);
   EXPECT_NE(Found, Answered.end()) << "ticket " << Ticket << " not answered";
   return Found == Answered.end() ? Outcome() : Found->second;
-}
-
-namespace {
-
-class ByteArchive final : public Archive {
-public:
-  ByteArchive() = default;
-  explicit ByteArchive(const std::vector<uint8_t> &Saved)
-      : Restoring(true), Bytes(Saved) {}
-
-  bool isRestoring() const override { return Restoring; }
-  void bytes(void *Data, size_t Count) override {
-    auto *Begin = static_cast<uint8_t *>(Data);
-    if (!Restoring) {
-      Bytes.insert(Bytes.end(), Begin, Begin + Count);
-      return;
-    }
-    ASSERT_LE(Count, remaining());
-    std::memcpy(Data, Bytes.data() + Position, Count);
-    Position += Count;
-  }
-  uint64_t remaining() const override { return Bytes.size() - Position; }
-
-  const std::vector<uint8_t> &all() const { return Bytes; }
-
-private:
-  bool Restoring = false;
-  std::vector<uint8_t> Bytes;
-  size_t Position = 0;
-};
-
-} // namespace
-
-std::vector<uint8_t> MemoryHarness::save() {
-  ByteArchive A;
-  System->serialize(A);
-  return A.all();
-}
-
-void MemoryHarness::restore(const std::vector<uint8_t> &Bytes, uint64_t Cycle) {
-  ByteArchive A(Bytes);
-  System->serialize(A);
-  EXPECT_EQ(A.remaining(), 0u);
-  End = Cycle;
 }
 
 ChipConfig smallChip() {

@@ -8,9 +8,9 @@
 #define TP_TEST_UNIT_MEMORY_MEMORYHARNESS_H
 
 #include "simulator/memory/MemorySystem.h"
+#include "test/unit/memory/MemoryArchive.h"
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -74,9 +74,11 @@ public:
   const Outcomes &outcomes() const { return Answered; }
   MemoryStatistics statistics() const { return System->statistics(); }
 
-  /// Saves to and restores from bytes.
-  std::vector<uint8_t> save();
-  void restore(const std::vector<uint8_t> &Bytes, uint64_t Cycle);
+  /// Goes on with the memory system of another run of the same chip.
+  void continueFrom(MemoryHarness &Other) {
+    copyThroughCheckpoint(*Other.System, *System);
+    End = Other.End;
+  }
 
 private:
   void note(const std::vector<MemoryAnswer> &Answers);
