@@ -35,6 +35,7 @@ public:
       checkCache("l2", *Chip.L2);
     if (Chip.Dram)
       checkDram(*Chip.Dram);
+    checkIcache();
     if (Errors.empty())
       checkWindow();
   }
@@ -70,6 +71,23 @@ private:
                "at least " + Name + ".line_bytes / " +
                    Twine(MaxSectorsPerLine) + ", which is " +
                    Twine(Cache.LineBytes / MaxSectorsPerLine));
+  }
+
+  void checkIcache() {
+    if (Chip.IcacheMissKind == IcacheMisses::Never)
+      return;
+    uint64_t SetBytes = uint64_t(Chip.IcacheLineBytes) * Chip.IcacheWays;
+    if (Chip.IcacheBytes % SetBytes)
+      badValue("icache.bytes", Chip.IcacheBytes,
+               "a multiple of line_bytes x ways, which is " + Twine(SetBytes));
+    if (Chip.IcacheMissKind == IcacheMisses::Memory && !Chip.hasMemorySystem())
+      bad("icache.misses", "'icache.misses' is 'memory', but the chip has "
+                           "neither caches nor DRAM; give it fixed");
+    if (Chip.IcacheMissKind == IcacheMisses::Fixed &&
+        Chip.IcacheMissLatency < Chip.ArbitrationWindow)
+      badValue("icache.miss_latency_cycles", Chip.IcacheMissLatency,
+               "at least arbitration_window_cycles, which is " +
+                   Twine(Chip.ArbitrationWindow));
   }
 
   void checkDram(const DramConfig &Dram) {

@@ -27,6 +27,16 @@ struct UnitConfig {
   uint32_t Interval = 1;
 };
 
+/// Where the lines come from that the instruction cache misses.
+enum class IcacheMisses : uint8_t {
+  /// It has the whole program from the start.
+  Never,
+  /// From a memory of fixed latency of their own.
+  Fixed,
+  /// From the memory system, past the L1.
+  Memory,
+};
+
 /// Everything that the engine and the reports need to know of a chip. Built
 /// from a chip file by loadChip(), which has checked every value.
 struct ChipConfig {
@@ -37,8 +47,8 @@ struct ChipConfig {
   uint32_t TmCount = 1;
   uint32_t TpsPerTm = 1;
   /// Cycles for which the priority among the TPs of a TM is fixed; at most
-  /// MemoryLatency. In window w the TP (w mod TpsPerTm) comes first, then the
-  /// next higher number, and so on, cyclically.
+  /// minimumRoundTrip(). In window w the TP (w mod TpsPerTm) comes first, then
+  /// the next higher number, and so on, cyclically.
   uint32_t ArbitrationWindow = 64;
 
   /// Bytes of each TP's local store; a multiple of 16, at most 1 MiB.
@@ -69,6 +79,12 @@ struct ChipConfig {
   uint32_t IcacheBanks = 8;
   uint32_t IcachePorts = 2;
   uint32_t IcacheBytes = 4096;
+  /// Lines and sets are looked at only if fetches can miss.
+  IcacheMisses IcacheMissKind = IcacheMisses::Never;
+  uint32_t IcacheLineBytes = 64;
+  uint32_t IcacheWays = 1;
+  /// Cycles from a miss to its line, if they are fixed.
+  uint32_t IcacheMissLatency = 100;
 
   /// Subnormal inputs and results of float arithmetic become zero.
   bool FlushToZero = false;

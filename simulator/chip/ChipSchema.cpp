@@ -73,6 +73,20 @@ private:
                 C.IcachePorts, {1, MaxIcachePorts});
       V.integer({"bytes", "size"}, C.IcacheBytes,
                 {64, 1 << 30, 4, false, true});
+      V.choice({"misses",
+                "`never`: it has the whole program; `fixed`: lines come after "
+                "`miss_latency_cycles`; `memory`: from the level behind the L1",
+                Optional},
+               C.IcacheMissKind, {"never", "fixed", "memory"});
+      V.integer({"line_bytes", "bytes that share a tag", Optional},
+                C.IcacheLineBytes, {4, 1024, 1, true, true});
+      V.integer({"ways", "lines of a set", Optional}, C.IcacheWays,
+                {1, MaxCacheWays});
+      V.integer({"miss_latency_cycles",
+                 "from a miss to its line, if `misses` is `fixed`; at least "
+                 "the arbitration window",
+                 Optional},
+                C.IcacheMissLatency, {1, MaxLatency});
     });
     V.integer({"store_buffer_entries",
                "stores of a TP that can be under way at once; only of chips "

@@ -112,6 +112,31 @@ TEST(ChipFile, RefusesValuesOutOfRange) {
     EXPECT_THAT(errorWith(From, To), HasSubstr(Message)) << To;
 }
 
+TEST(ChipFile, ReadsMissesOfTheIcache) {
+  llvm::Expected<ChipConfig> Chip =
+      parseChip(replaced(goodChip(), "  bytes: 4 KiB\n",
+                         "  bytes: 4 KiB\n  misses: fixed\n  line_bytes: 32\n"
+                         "  ways: 4\n  miss_latency_cycles: 20\n"),
+                "c.yaml", "c");
+  ASSERT_TRUE(bool(Chip)) << llvm::toString(Chip.takeError());
+  EXPECT_EQ(Chip->IcacheMissKind, IcacheMisses::Fixed);
+  EXPECT_EQ(Chip->IcacheLineBytes, 32u);
+  EXPECT_EQ(Chip->IcacheWays, 4u);
+  EXPECT_EQ(Chip->IcacheMissLatency, 20u);
+  const char *Cases[][2] = {
+      {"misses: fixed\n  miss_latency_cycles: 19",
+       "'icache.miss_latency_cycles' is 19; give it at least "
+       "arbitration_window_cycles, which is 20"},
+      {"misses: memory", "has neither caches nor DRAM"},
+      {"misses: fixed\n  ways: 3", "'icache.bytes' is 4096; give it a multiple "
+                                   "of line_bytes x ways, which is 192"},
+  };
+  for (auto &[Keys, Message] : Cases)
+    EXPECT_THAT(errorWith("  bytes: 4 KiB\n",
+                          "  bytes: 4 KiB\n  " + std::string(Keys) + "\n"),
+                HasSubstr(Message));
+}
+
 TEST(ChipFile, RefusesAUnitThatIsMissing) {
   std::string Line =
       "  FPINV: {count: " + std::to_string(unsigned(Unit::FPINV) + 1) + "}\n";
