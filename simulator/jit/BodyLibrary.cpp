@@ -39,12 +39,9 @@ std::string stepName(Opcode Op, Subnormals Mode) {
 }
 
 const BodyLibrary &cycleSteps() {
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wc23-extensions"
   alignas(8) static constexpr unsigned char Bitcode[] = {
-#embed "simulator/jit/Steps.bc"
+#include "simulator/jit/StepsBitcode.inc"
   };
-#pragma clang diagnostic pop
   static const BodyLibrary Library(Bitcode);
   return Library;
 }
