@@ -31,6 +31,8 @@ static Loss currentLoss(const Thread &T) {
     return Loss::StoreBuffer;
   case Awaited::AllStores:
     return Loss::Sync;
+  case Awaited::Line:
+    return Loss::IcacheMiss;
   default:
     return Loss::Memory;
   }

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -68,6 +69,11 @@ public:
     else
       for (T &Value : Values)
         (*this)(Value);
+  }
+
+  void operator()(std::string &Text) {
+    resize(Text);
+    bytes(Text.data(), Text.size());
   }
 
   template <class T> void operator()(std::deque<T> &Values) {

@@ -45,6 +45,10 @@ struct CodeSubject {
   /// Of each slot the interpreter's handler; null where only the interpreter
   /// can do what has to be done.
   std::vector<const void *> Interpreter;
+  /// The line of each word of the text if instruction caches can miss, else
+  /// empty: code for a word may not go on to a word of another line but by that
+  /// word's handler in Slots.
+  std::vector<uint32_t> LineOf;
   /// Of each slot what it takes of its cycle's resources, and the ready word of
   /// its result, to which the cycle of issue is added.
   std::vector<WideWord> Uses;

@@ -34,6 +34,15 @@ static std::string findError(const ChipConfig &Chip, const Program &Text,
   for (uint32_t Latency : Chip.Latency)
     if (Latency == 0 || Latency > MaxLatency)
       return "a latency is not within 1 and " + std::to_string(MaxLatency);
+  if (Chip.IcacheMissKind == IcacheMisses::Fixed &&
+      (Chip.IcacheMissLatency < Chip.ArbitrationWindow ||
+       Chip.IcacheMissLatency > MaxLatency))
+    return "the latency of instruction-cache misses is not within the "
+           "arbitration window and " +
+           std::to_string(MaxLatency);
+  if (Chip.IcacheMissKind == IcacheMisses::Memory && !Chip.hasMemorySystem())
+    return "instruction-cache misses go to a memory system, which the chip "
+           "does not have";
   if (Chip.MemoryLatency > MaxLatency)
     return "the memory latency is above " + std::to_string(MaxLatency);
   if (Layout.bits() > sizeof(WideWord) * 8)
@@ -98,6 +107,8 @@ RunResult Engine::run(const RunLimits &Limits) {
 uint64_t Engine::cycles() const { return Implementation->cycles(); }
 
 Statistics Engine::statistics() const { return Implementation->statistics(); }
+
+void Engine::serialize(Archive &A) { Implementation->serialize(A); }
 
 uint32_t Engine::registerOf(uint32_t Thread, unsigned Register) const {
   return Implementation->thread(Thread).Registers[Register];

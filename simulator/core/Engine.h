@@ -124,6 +124,11 @@ public:
   /// The counts up to the end of the last run().
   Statistics statistics() const;
 
+  /// Saves or restores everything but global memory and what the setters set,
+  /// between two runs; to restore, chip and program must be those of the saved
+  /// engine. The number of host threads may be another.
+  void serialize(Archive &A);
+
   /// A register of a thread, 0..31 integer, 32..63 float.
   uint32_t registerOf(uint32_t Thread, unsigned Register) const;
   /// Status that a thread halted with.

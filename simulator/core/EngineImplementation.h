@@ -31,6 +31,7 @@ public:
   virtual RunResult run(const RunLimits &Limits) = 0;
   virtual uint64_t cycles() const = 0;
   virtual Statistics statistics() const = 0;
+  virtual void serialize(Archive &A) = 0;
   virtual const Thread &thread(uint32_t Number) const = 0;
 };
 

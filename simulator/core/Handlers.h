@@ -42,6 +42,10 @@ template <class Word, Subnormals Mode> struct Handlers {
     return trapAtFetch<TrapKind::FetchOutsideText>;
   }
 
+  /// On a chip whose instruction caches can miss: looks whether the instruction
+  /// is there, and goes on with its Fetched handler.
+  static Handler<Word> beforeFetch() { return checkLine; }
+
 private:
   template <Opcode Op> static constexpr Handler<Word> handlerOf() {
     if constexpr (takesTime(Op))
@@ -140,6 +144,32 @@ private:
       return waiting::leave(T, S, Cycle, R);
     stopAtTrap(T, R, pcOf(S - 1, R), Cycle, TrapKind::StackOverflow,
                StackPointer);
+  }
+
+  __attribute__((preserve_none)) static void checkLine(TP_HANDLER_PARAMETERS) {
+    uint32_t Number = wordOf(S, R);
+    if (T->Line != R->LineOf[Number]) [[unlikely]]
+      TP_TAIL_CALL lookUpLine(TP_HANDLER_ARGUMENTS);
+    TP_TAIL_CALL R->Fetched[Number](TP_HANDLER_ARGUMENTS);
+  }
+
+  __attribute__((preserve_none, noinline)) static void
+  lookUpLine(TP_HANDLER_PARAMETERS) {
+    if (Cycle >= R->Limit)
+      return waiting::leave(T, S, Cycle, R);
+    uint32_t Number = wordOf(S, R);
+    uint64_t Now = R->Epoch + Cycle;
+    T->Line = R->LineOf[Number];
+    uint64_t There = R->Icache->lookUp(T->Line, Now);
+    if (There == InstructionCache::Unknown)
+      return waiting::missLine(T, S, Cycle, R);
+    if (There != Now) {
+      R->charge(*T, Number, Loss::IcacheMiss, There - Now);
+      Cycle += There - Now;
+      if (Cycle >= R->Limit)
+        return waiting::leave(T, S, Cycle, R);
+    }
+    TP_TAIL_CALL R->Fetched[Number](TP_HANDLER_ARGUMENTS);
   }
 
   template <TrapKind Reason>

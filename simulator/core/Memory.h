@@ -8,6 +8,7 @@
 #define TP_SIMULATOR_CORE_MEMORY_H
 
 #include "runtime/include/tp/memory_map.h"
+#include "simulator/core/Archive.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,9 @@ public:
   uint8_t *data() const { return Pages; }
   size_t size() const { return Bytes; }
 
+  /// The pages that are not all zeros.
+  void serialize(Archive &A);
+
 private:
   uint8_t *Pages = nullptr;
   size_t Bytes = 0;
@@ -45,6 +49,7 @@ public:
   uint8_t *data() { return Pages.data(); }
   const uint8_t *data() const { return Pages.data(); }
   uint64_t size() const { return Pages.size(); }
+  void serialize(Archive &A) { Pages.serialize(A); }
 
   /// Whether all of [Address, Address + Bytes) is global memory.
   bool contains(uint32_t Address, uint64_t Bytes) const {

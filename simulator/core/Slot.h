@@ -16,19 +16,7 @@
 namespace tp {
 
 template <class Word> struct Slot;
-
-/// A host thread's working state with its table of resources.
-template <class Word> struct TmRunner : TmRunnerState {
-  /// The text, one slot per word and one behind it.
-  const Slot<Word> *Slots = nullptr;
-  Word IcacheGuards = 0;
-  Word Guards = 0;
-  /// The guard bit of a cycle in which nothing may start.
-  Word Closed = 0;
-  /// What each cycle of the window still has free in the TM at hand; after the
-  /// last cycle comes a closed one.
-  std::vector<Word> Free;
-};
+template <class Word> struct TmRunner;
 
 /// The state of the running thread: itself, the instruction at hand, the
 /// relative cycle, the resource table such that Free[Cycle] is this cycle's,
@@ -40,6 +28,22 @@ template <class Word> struct TmRunner : TmRunnerState {
 
 template <class Word>
 using Handler = void(__attribute__((preserve_none)) *)(TP_HANDLER_PARAMETERS);
+
+/// A host thread's working state with its table of resources.
+template <class Word> struct TmRunner : TmRunnerState {
+  /// The text, one slot per word and one behind it.
+  const Slot<Word> *Slots = nullptr;
+  /// On a chip whose instruction caches can miss, who executes the slot's
+  /// instruction once it is there.
+  const Handler<Word> *Fetched = nullptr;
+  Word IcacheGuards = 0;
+  Word Guards = 0;
+  /// The guard bit of a cycle in which nothing may start.
+  Word Closed = 0;
+  /// What each cycle of the window still has free in the TM at hand; after the
+  /// last cycle comes a closed one.
+  std::vector<Word> Free;
+};
 
 /// A decoded instruction, ready for one chip.
 template <class Word> struct Slot {

@@ -63,6 +63,9 @@ constexpr Opcode producerOf(ReadyWord Word) {
 
 } // namespace ready
 
+/// Lines of the text are counted from address 0. This is none.
+inline constexpr uint32_t NoLine = ~uint32_t(0);
+
 /// What a thread is doing at the end of a window.
 enum class ThreadState : uint8_t { Running, AtBarrier, Halted, Trapped };
 
@@ -90,6 +93,9 @@ struct Thread {
   Loss LastLoss = Loss::Data;
   Opcode LastProducer = Opcode(0);
   uint32_t LastWord = 0;
+  /// The line of the text that the TP holds, or waits for, on a chip whose
+  /// instruction caches can miss.
+  uint32_t Line = NoLine;
 
   uint64_t totalLost() const {
     uint64_t Sum = 0;

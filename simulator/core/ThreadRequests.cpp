@@ -10,14 +10,23 @@
 
 namespace tp {
 
-/// A ticket is a register and a number, or NumRegisters and a place in the
-/// store buffer.
+/// A ticket is a register and a number, NumRegisters and a place in the store
+/// buffer, or LineMark and a line of the text.
 static constexpr unsigned RegisterBits = 7;
 static constexpr uint32_t RegisterMask = (1 << RegisterBits) - 1;
-static_assert(NumRegisters <= RegisterMask);
+static constexpr uint32_t LineMark = NumRegisters + 1;
+static_assert(LineMark <= RegisterMask);
 
 uint8_t ThreadRequests::registerOf(uint32_t Ticket) {
   return uint8_t(Ticket & RegisterMask);
+}
+
+uint32_t ThreadRequests::ticketOfLine(uint32_t Line) {
+  return Line << RegisterBits | LineMark;
+}
+
+uint32_t ThreadRequests::lineOf(uint32_t Ticket) {
+  return (Ticket & RegisterMask) == LineMark ? Ticket >> RegisterBits : NoLine;
 }
 
 uint32_t ThreadRequests::addRegister(uint8_t Register, uint64_t Cycle,

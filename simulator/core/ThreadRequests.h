@@ -14,6 +14,7 @@
 #define TP_SIMULATOR_CORE_THREADREQUESTS_H
 
 #include "simulator/core/Archive.h"
+#include "simulator/core/Thread.h"
 #include "simulator/isa/Instructions.h"
 #include "simulator/memory/MemoryRequest.h"
 
@@ -33,6 +34,8 @@ enum class Awaited : uint8_t {
   StoreEntry,
   /// All its stores: it has executed `sync` or `hostcall`.
   AllStores,
+  /// The line of its next instruction.
+  Line,
 };
 
 /// What a thread has asked of the memory system. All cycles are absolute.
@@ -69,6 +72,10 @@ public:
 
   /// The register that a ticket is for, NumRegisters of a store.
   static uint8_t registerOf(uint32_t Ticket);
+  /// Tickets for lines of the text.
+  static uint32_t ticketOfLine(uint32_t Line);
+  /// NoLine of other tickets.
+  static uint32_t lineOf(uint32_t Ticket);
   /// Notes an answer about a register, and whether the register still belongs
   /// to that request.
   bool noteRegister(const MemoryAnswer &Answer);

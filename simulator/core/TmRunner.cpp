@@ -8,6 +8,7 @@
 #include "simulator/core/ThreadRequests.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tp {
 
@@ -23,6 +24,24 @@ static unsigned overlap(uint32_t Address, unsigned Bytes, uint32_t Other,
 
 void TmRunnerState::growLog() {
   Log.reserve(std::max<size_t>(256, 2 * Log.capacity()));
+}
+
+template <class Count>
+static void moveCounts(std::vector<Count> &From, std::vector<Count> &To) {
+  To.resize(std::max(From.size(), To.size()));
+  for (size_t I = 0; I != From.size(); ++I)
+    To[I] += std::exchange(From[I], 0);
+}
+
+void TmRunnerState::moveCountersTo(TmRunnerState &Other) {
+  moveCounts(ExecutedAt, Other.ExecutedAt);
+  for (size_t I = 0; I != LostAt.size(); ++I)
+    for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
+      Other.LostAt[I][Reason] += std::exchange(LostAt[I][Reason], 0);
+  for (unsigned I = 0; I != NumOpcodes; ++I)
+    Other.DataStall[I] += std::exchange(DataStall[I], 0);
+  Other.GlobalAccesses += std::exchange(GlobalAccesses, 0);
+  moveCounts(Markers, Other.Markers);
 }
 
 void TmRunnerState::countMarker(uint32_t Number) {
@@ -48,8 +67,7 @@ MemoryRequest TmRunnerState::request(const Thread &T, RequestKind Kind,
 ReadyWord TmRunnerState::requestLoad(Thread &T, uint8_t Destination, Opcode Op,
                                      uint64_t Cycle, uint32_t Address,
                                      unsigned Bytes) {
-  bool GoneOn = !Chip.Chip->L1;
-  uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, GoneOn);
+  uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, false);
   Memory->request(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket));
   return ready::pending(Op);
 }
@@ -69,6 +87,17 @@ bool TmRunnerState::requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
   Memory->request(request(T, RequestKind::Store, Cycle, Address, Bytes,
                           T.Requests->addStore()));
   return true;
+}
+
+void TmRunnerState::requestLine(const InstructionCache::Miss &Missed) {
+  uint32_t LineBytes = Chip.Chip->IcacheLineBytes;
+  Memory->request({.Cycle = Missed.Cycle,
+                   .Address = Missed.Line * LineBytes,
+                   .Ticket = ThreadRequests::ticketOfLine(Missed.Line),
+                   .Priority = Missed.Priority,
+                   .Tp = Missed.Tp,
+                   .Bytes = uint16_t(LineBytes),
+                   .Kind = RequestKind::Fetch});
 }
 
 void TmRunnerState::awaitStores(Thread &T) {

@@ -9,6 +9,7 @@
 
 #include "runtime/include/tp/profile.h"
 #include "simulator/core/AddressSpace.h"
+#include "simulator/core/InstructionCache.h"
 #include "simulator/core/WindowLog.h"
 #include "simulator/memory/MemorySystem.h"
 
@@ -64,7 +65,12 @@ struct TmRunnerState {
   /// Of its TPs; used if they do not run one after the other.
   std::vector<OwnAccesses> OwnAccessesOf;
   std::vector<MemoryAnswer> Answers;
+  /// 0 without an L1.
   uint32_t L1Latency = 0;
+  /// Of the TM at hand; null on a chip whose instruction caches never miss. And
+  /// the line of each word of the text.
+  InstructionCache *Icache = nullptr;
+  const uint32_t *LineOf = nullptr;
   std::optional<PendingTrap> FirstTrap;
 
   /// Threads that arrived at the barrier, and that halted, in this window.
@@ -113,6 +119,8 @@ struct TmRunnerState {
     Own.Words = 0;
   }
   void countMarker(uint32_t Number);
+  /// Adds what was counted to the counts of \p Other, and begins anew.
+  void moveCountersTo(TmRunnerState &Other);
 
   /// Asks the memory system for a load, or for an atomic or stream operation,
   /// whose result goes to a register of the running thread; gives its ready
@@ -124,6 +132,8 @@ struct TmRunnerState {
   /// Asks it for a store; false, and nothing done, if the store buffer is full.
   bool requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
                     unsigned Bytes);
+  /// Asks it for a line of the text that a TP missed.
+  void requestLine(const InstructionCache::Miss &Missed);
   /// Lets the running thread, which is to go on in the cycle NextCycle, wait
   /// for all its stores.
   void awaitStores(Thread &T);

@@ -22,6 +22,7 @@
 #include "simulator/core/Waiting.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 namespace tp {
@@ -44,6 +45,8 @@ public:
 
   /// Gives the first cycle in which the TM has something to do again.
   uint64_t run() {
+    if (R.Icache)
+      R.Icache->beginWindow(R.WindowStart);
     uint64_t First = NeverCycle;
     for (uint32_t Priority = 0; Priority != Tps.size(); ++Priority) {
       uint32_t Tp = tpOf(Priority);
@@ -51,6 +54,8 @@ public:
         runTp(Tp, Priority);
       First = std::min(First, NextCycles[Tp]);
     }
+    if (R.Icache)
+      First = std::min(First, fetchMissedLines(WindowEnd));
     return First;
   }
 
@@ -58,12 +63,21 @@ public:
   uint64_t run(TmMemory &Memory) {
     R.Memory = &Memory;
     LastAdvance = R.WindowStart;
+    if (R.Icache)
+      R.Icache->beginWindow(R.WindowStart);
     if (Memory.hasAnswers()) {
       Memory.takeAnswers(R.Answers);
+      assert(std::ranges::all_of(R.Answers,
+                                 [&](const MemoryAnswer &Answer) {
+                                   return Answer.ReadyCycle >= R.WindowStart;
+                                 }) &&
+             "an answer comes back within the window of its request");
       takeAnswers();
     }
     while (LastAdvance != WindowEnd) {
       LastAdvance = sweep();
+      if (R.Icache)
+        fetchMissedLines(LastAdvance);
       Memory.advance(LastAdvance, R.Answers);
       takeAnswers();
     }
@@ -150,19 +164,64 @@ private:
     case Awaited::AllStores:
       return std::max(Requests.suspendedAt(),
                       earliestAnswer(LastAdvance, Requests.hasStoreGoneOn()));
+    case Awaited::Line:
+      return WindowEnd;
     }
     __builtin_unreachable();
   }
 
   /// The earliest cycle for which an unanswered request can still be answered.
   uint64_t earliestAnswer(uint64_t Issued, bool GoneOn) const {
-    if (GoneOn)
+    if (GoneOn || R.L1Latency == 0)
       return WindowEnd;
     return std::max(Issued, LastAdvance) + R.L1Latency;
   }
 
+  /// Decides where the lines come from that were missed before \p Limit, and
+  /// gives the first cycle in which one of those who wait goes on, as far as
+  /// that is known now.
+  uint64_t fetchMissedLines(uint64_t Limit) {
+    const ChipConfig &Chip = *R.Chip.Chip;
+    bool IsFixed = Chip.IcacheMissKind == IcacheMisses::Fixed;
+    uint64_t First = NeverCycle;
+    for (const InstructionCache::Miss &Missed : R.Icache->takeMisses(Limit)) {
+      bool IsNew = !R.Icache->isAskedFor(Missed.Line, Missed.Cycle);
+      if (IsNew && IsFixed)
+        R.Icache->arrives(Missed.Line, Missed.Cycle + Chip.IcacheMissLatency);
+      else if (IsNew)
+        R.requestLine(Missed);
+      if (IsFixed)
+        First = std::min(First, goOnWithLine(Missed));
+    }
+    return First;
+  }
+
+  /// Of a thread that waits for a line of which it is known when it comes.
+  uint64_t goOnWithLine(const InstructionCache::Miss &Missed) {
+    Thread &T = Tps[Missed.Tp];
+    uint64_t There = R.Icache->arrivalOf(Missed.Line, Missed.Cycle);
+    R.charge(T, T.LastWord, Loss::IcacheMiss, There - Missed.Cycle);
+    if (T.Requests)
+      T.Requests->resume();
+    return NextCycles[Missed.Tp] = There;
+  }
+
+  /// Those who wait for a line that comes in \p Cycle go on.
+  void takeLine(uint32_t Line, uint64_t Cycle) {
+    R.Icache->arrives(Line, Cycle);
+    for (size_t Tp = 0; Tp != Tps.size(); ++Tp)
+      if (Tps[Tp].Line == Line && Tps[Tp].Requests->waitsFor() == Awaited::Line)
+        NextCycles[Tp] = waiting::resume(&Tps[Tp], &R);
+  }
+
   void takeAnswers() {
     for (const MemoryAnswer &Answer : R.Answers) {
+      if (uint32_t Line = ThreadRequests::lineOf(Answer.Ticket);
+          Line != NoLine) {
+        if (Answer.ReadyCycle != AnsweredLater)
+          takeLine(Line, Answer.ReadyCycle);
+        continue;
+      }
       Thread &T = Tps[Answer.Tp];
       ThreadRequests &Requests = *T.Requests;
       bool Known = Answer.ReadyCycle != AnsweredLater;

@@ -71,6 +71,19 @@ void suspend(Thread *T, const Slot<Word> *S, uint64_t Cycle, TmRunner<Word> *R,
   R->NextCycle = NeverCycle;
 }
 
+/// The thread goes on with \p S, whose line nobody has yet, when it has come.
+template <class Word>
+void missLine(Thread *T, const Slot<Word> *S, uint64_t Cycle,
+              TmRunner<Word> *R) {
+  T->Resume = S;
+  T->LastWord = wordOf(S, R);
+  R->Icache->addMiss({R->Epoch + Cycle, T->Line, priorityOf(R->OwnOrder),
+                      uint16_t(T->Number % R->Chip.Chip->TpsPerTm)});
+  if (T->Requests)
+    T->Requests->suspend(Awaited::Line, R->Epoch + Cycle);
+  R->NextCycle = NeverCycle;
+}
+
 /// The cycle in which a suspended thread goes on, charged up to there;
 /// NeverCycle if that is not known yet.
 template <class Word> uint64_t resume(Thread *T, TmRunner<Word> *R) {
@@ -102,6 +115,12 @@ template <class Word> uint64_t resume(Thread *T, TmRunner<Word> *R) {
       return NeverCycle;
     To = std::max(From, Requests.lastStoreAnswer());
     R->charge(*T, T->LastWord, Loss::Sync, To - From);
+    break;
+  case Awaited::Line:
+    To = R->Icache->arrivalOf(T->Line, From);
+    if (To == InstructionCache::Unknown)
+      return NeverCycle;
+    R->charge(*T, T->LastWord, Loss::IcacheMiss, To - From);
     break;
   }
   Requests.resume();

@@ -49,6 +49,7 @@ public:
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
   Statistics statistics() const override;
+  void serialize(Archive &A) override;
   const Thread &thread(uint32_t Number) const override {
     return Threads[Number];
   }
@@ -58,6 +59,11 @@ private:
 
   /// As many runners and host threads as are wanted.
   void prepareHostThreads();
+  void serialize(Archive &A, Thread &T);
+  /// The counters of all host threads are one in a checkpoint.
+  void serializeCounters(Archive &A);
+  /// For a chip whose instruction caches can miss.
+  void prepareFetches();
   void prepareFree();
   /// Finds the next window in which something happens; false if that is not
   /// before \p Limit.
@@ -99,6 +105,12 @@ private:
   /// least of them.
   std::vector<uint64_t> NextCycles;
   std::vector<uint64_t> TmNextCycles;
+
+  /// One per TM, the line of each word, and the handlers of fetched
+  /// instructions; empty if instruction caches never miss.
+  std::vector<InstructionCache> Icaches;
+  std::vector<uint32_t> LineOf;
+  std::vector<Handler<Word>> Fetched;
 
   /// Null if the chip has neither caches nor DRAM; then the threads have no
   /// requests.
@@ -150,6 +162,8 @@ WindowEngine<Word, FlushToZero>::WindowEngine(
     Threads[I].Resume = &Slots[EntryWord];
     Threads[I].LocalStoreBias = localStoreBias(Chip, LocalStores, I);
   }
+  if (Chip.IcacheMissKind != IcacheMisses::Never)
+    prepareFetches();
   if (!this->Hierarchy)
     return;
   Requests.resize(Threads.size(), ThreadRequests(Chip.StoreBufferEntries));
@@ -158,16 +172,31 @@ WindowEngine<Word, FlushToZero>::WindowEngine(
 }
 
 template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::prepareFetches() {
+  Icaches.resize(Chip.TmCount, InstructionCache(Chip));
+  LineOf = linesOfText(Text, Chip);
+  for (Slot<Word> &S : Slots)
+    Fetched.push_back(S.Execute);
+  for (size_t I = 0; I != LineOf.size(); ++I)
+    if (LineOf[I] != NoLine)
+      Slots[I].Execute = Handlers<Word, Subnormals::Keep>::beforeFetch();
+}
+
+template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::setCodeGenerator(
     std::unique_ptr<CodeGenerator> NewGenerator) {
   Generator = std::move(NewGenerator);
-  Generator->start(describeText(Slots, Text, Context, Layout, FlushToZero));
+  CodeSubject Subject = describeText(Slots, Text, Context, Layout, FlushToZero);
+  Subject.LineOf = LineOf;
+  for (size_t I = 0; I != Fetched.size(); ++I)
+    Subject.Interpreter[I] = reinterpret_cast<const void *>(Fetched[I]);
+  Generator->start(std::move(Subject));
 }
 
 template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::updateCode() {
   for (const GeneratedHandler &New : Generator->update(Counters))
-    Slots[New.Word].Execute =
+    (Fetched.empty() ? Slots[New.Word].Execute : Fetched[New.Word]) =
         reinterpret_cast<Handler<Word>>(const_cast<void *>(New.Entry));
   for (std::unique_ptr<Runner> &R : Runners) {
     if (R->CodeCounts.size() == Generator->numCounts())
@@ -183,32 +212,6 @@ void WindowEngine<Word, FlushToZero>::foldCodeCounts() const {
     return;
   for (const std::unique_ptr<Runner> &R : Runners)
     Generator->fold(*R);
-}
-
-template <class Word, bool FlushToZero>
-void WindowEngine<Word, FlushToZero>::setInitialState(
-    std::span<const ArchitecturalState> States) {
-  LocalStoreRange Local(Chip.LocalStoreBytes);
-  std::fill(TmNextCycles.begin(), TmNextCycles.end(), NeverCycle);
-  for (uint32_t I = 0; I != Threads.size(); ++I) {
-    const ArchitecturalState &From = States[I];
-    Thread &T = Threads[I];
-    uint32_t NextWord = (From.Pc - Context.TextBegin) / 4;
-    T.Registers = From.Registers;
-    T.Resume = &Slots[NextWord];
-    T.State = From.State;
-    T.Status = From.Status;
-    std::memcpy(reinterpret_cast<void *>(T.LocalStoreBias + Local.Begin),
-                From.LocalStore, Chip.LocalStoreBytes);
-    Waiting += T.State == ThreadState::AtBarrier;
-    Halted += T.State == ThreadState::Halted;
-    if (T.State == ThreadState::Running) {
-      TmNextCycles[I / Chip.TpsPerTm] = 0;
-    } else {
-      NextCycles[I] = NeverCycle;
-      T.LastWord = NextWord - 1;
-    }
-  }
 }
 
 template <class Word, bool FlushToZero>
@@ -279,6 +282,8 @@ void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
 template <class Word, bool FlushToZero>
 uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
   size_t Begin = size_t(Tm) * Chip.TpsPerTm;
+  if (!Icaches.empty())
+    R.Icache = &Icaches[Tm];
   TmTurn<Word> Turn(R, Tm, std::span(Threads).subspan(Begin, Chip.TpsPerTm),
                     std::span(NextCycles).subspan(Begin, Chip.TpsPerTm),
                     FirstPriority, InitialFree);
@@ -334,6 +339,8 @@ Statistics WindowEngine<Word, FlushToZero>::statistics() const {
       summarize(Threads, NextCycles, EndCycle, Counters, Opcodes);
   if (Hierarchy)
     Result.Memory = Hierarchy->statistics();
+  for (const InstructionCache &Icache : Icaches)
+    Result.Icache += Icache.statistics();
   return Result;
 }
 
@@ -414,6 +421,8 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
   while (Runners.size() < Count) {
     auto R = std::make_unique<Runner>();
     R->Slots = Slots.data();
+    R->Fetched = Fetched.data();
+    R->LineOf = LineOf.data();
     R->Guards = Word(Layout.guards());
     R->IcacheGuards = Word(Layout.icacheGuards());
     R->Closed = Word(Layout.closed());
@@ -472,5 +481,7 @@ makeEngine(const ChipConfig &Chip, const Program &Text, Memory &Global,
 }
 
 } // namespace tp
+
+#include "simulator/core/WindowEngineState.h"
 
 #endif // TP_SIMULATOR_CORE_WINDOWENGINE_H

@@ -19,8 +19,8 @@ uint64_t lostAt(const Simulation &S, unsigned Word, Loss Reason) {
 
 TEST(PcStatistics, CountsAtTheInstructionThatWaits) {
   // Branches take 3 cycles. lui 0, lw 1; word 2 waits to 21, loops twice: bne
-  // in 22, two cycles lost behind it, addi 25, bne 26, addi 27; sleep 28 for the 7
-  // cycles to 36, sync in 36 to 48, halt 48.
+  // in 22, two cycles lost behind it, addi 25, bne 26, addi 27; sleep 28 for
+  // the 7 cycles to 36, sync in 36 to 48, halt 48.
   Assembly A;
   A("lui", 20, DataBegin >> 16)("lw", 5, 20, 0);
   A.label("loop")("addi", 5, 5, -1)("bne", 5, 0, "loop")("addi", 6, 0, 7);

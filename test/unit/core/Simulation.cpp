@@ -34,10 +34,11 @@ ChipConfig quietChip(uint32_t TmCount, uint32_t TpsPerTm) {
 std::unique_ptr<CodeGenerator> (*Simulation::DefaultGenerator)() = nullptr;
 
 Simulation::Simulation(const ChipConfig &Chip, const Assembly &Source,
-                       unsigned HostThreads)
+                       unsigned HostThreads,
+                       std::unique_ptr<MemorySystem> Hierarchy)
     : Chip(Chip), Global(Chip.MemoryBytes),
       Text(TextBegin, Source.words(), TextBegin),
-      Simulated(this->Chip, Text, Global) {
+      Simulated(this->Chip, Text, Global, std::move(Hierarchy)) {
   EXPECT_EQ(Simulated.error(), "");
   Simulated.setHostThreads(HostThreads);
   if (DefaultGenerator)
@@ -84,7 +85,9 @@ void Simulation::expectConsistentStatistics() const {
     for (unsigned I = 0; I != NumLosses; ++I)
       Lost[I] += T.Lost[I];
     Issued += T.Instructions;
-    Waited += T.Lost[unsigned(Loss::Data)] + T.Lost[unsigned(Loss::Memory)];
+    for (unsigned I = 0; I != NumLosses; ++I)
+      if (isWaitForResult(Loss(I)))
+        Waited += T.Lost[I];
     Conflicts += T.Lost[unsigned(Loss::UnitConflict)];
   }
   uint64_t IssuedAt = 0;

@@ -36,7 +36,8 @@ public:
   static std::unique_ptr<CodeGenerator> (*DefaultGenerator)();
 
   Simulation(const ChipConfig &Chip, const Assembly &Source,
-             unsigned HostThreads = 1);
+             unsigned HostThreads = 1,
+             std::unique_ptr<MemorySystem> Hierarchy = nullptr);
 
   /// Before the run.
   void setObserver(ProfileObserver &Observer) {

@@ -1,0 +1,99 @@
+//===- WindowEngineState.h - An engine's state from and to outside -*- C++ -*-//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CORE_WINDOWENGINESTATE_H
+#define TP_SIMULATOR_CORE_WINDOWENGINESTATE_H
+
+#include "simulator/core/WindowEngine.h"
+
+namespace tp {
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setInitialState(
+    std::span<const ArchitecturalState> States) {
+  LocalStoreRange Local(Chip.LocalStoreBytes);
+  std::fill(TmNextCycles.begin(), TmNextCycles.end(), NeverCycle);
+  for (uint32_t I = 0; I != Threads.size(); ++I) {
+    const ArchitecturalState &From = States[I];
+    Thread &T = Threads[I];
+    uint32_t NextWord = (From.Pc - Context.TextBegin) / 4;
+    T.Registers = From.Registers;
+    T.Resume = &Slots[NextWord];
+    T.State = From.State;
+    T.Status = From.Status;
+    std::memcpy(reinterpret_cast<void *>(T.LocalStoreBias + Local.Begin),
+                From.LocalStore, Chip.LocalStoreBytes);
+    Waiting += T.State == ThreadState::AtBarrier;
+    Halted += T.State == ThreadState::Halted;
+    if (T.State == ThreadState::Running) {
+      TmNextCycles[I / Chip.TpsPerTm] = 0;
+    } else {
+      NextCycles[I] = NeverCycle;
+      T.LastWord = NextWord - 1;
+    }
+  }
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::serialize(Archive &A, Thread &T) {
+  auto Resume =
+      uint32_t(static_cast<const Slot<Word> *>(T.Resume) - Slots.data());
+  A(Resume);
+  if (Resume < Slots.size())
+    T.Resume = &Slots[Resume];
+  A(T.Registers);
+  A(T.Ready);
+  A(T.Lost);
+  A(T.EndCycle);
+  A(T.Status);
+  A(T.State);
+  A(T.LastLoss);
+  A(T.LastProducer);
+  A(T.LastWord);
+  A(T.Line);
+  if (T.Requests)
+    T.Requests->serialize(A);
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::serializeCounters(Archive &A) {
+  TmRunnerState Sum;
+  Sum.ExecutedAt.resize(Slots.size());
+  Sum.LostAt.resize(Slots.size());
+  for (std::unique_ptr<Runner> &R : Runners)
+    R->moveCountersTo(Sum);
+  A(Sum.ExecutedAt);
+  A(Sum.LostAt);
+  A(Sum.DataStall);
+  A(Sum.GlobalAccesses);
+  A(Sum.Markers);
+  Sum.moveCountersTo(*Runners[0]);
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
+  prepareHostThreads();
+  foldCodeCounts();
+  for (Thread &T : Threads)
+    serialize(A, T);
+  LocalStores.serialize(A);
+  serializeCounters(A);
+  A(NextCycles);
+  A(TmNextCycles);
+  A(WindowEnd);
+  A(Epoch);
+  A(Waiting);
+  A(Halted);
+  A(EndCycle);
+  for (InstructionCache &Icache : Icaches)
+    A(Icache);
+  if (Hierarchy)
+    Hierarchy->serialize(A);
+}
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CORE_WINDOWENGINESTATE_H
