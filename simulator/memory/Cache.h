@@ -20,6 +20,7 @@
 #include "simulator/memory/TimeQueue.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -53,9 +54,15 @@ public:
   Cache(const CacheConfig &Config, ServedBy Level, bool DoesAtomics,
         AccessPool &Pool, CacheClient &Client);
 
-  /// Does everything before \p Limit. \p Arrivals has nextCycle(), and take()
-  /// gives the index of the next access, whose Cycle that is, or NoIndex for
-  /// one that passes the cache by.
+  /// Does everything before \p Limit. \p Arrivals has
+  /// - nextCycle(), that of the next arrival;
+  /// - arrivals(), those that are known in their order, which have members
+  ///   Cycle, Address and Kind;
+  /// - take(), which makes an access of the next one and gives its index, or
+  ///   NoIndex for one that passes the cache by;
+  /// - addToPool(I), which makes an access of arrivals()[I];
+  /// - answerHit(I, Ready), which answers it;
+  /// - drop(Count), of the first arrivals.
   template <class ArrivalQueue>
   void advance(uint64_t Limit, ArrivalQueue &Arrivals) {
     for (;;) {
@@ -63,6 +70,8 @@ public:
       if (Cycle >= Limit)
         return;
       beginCycle(Cycle);
+      if (Waiting == 0 && serveUncontested(Arrivals))
+        continue;
       while (Arrivals.nextCycle() == Cycle) {
         uint32_t Index = Arrivals.take();
         if (Index != NoIndex)
@@ -79,6 +88,11 @@ public:
     Registers[Register].Remaining = uint16_t(Parts);
   }
   void arrive(uint32_t Register, uint64_t Cycle, ServedBy From);
+
+  /// An access to this address is coming.
+  void prefetch(uint32_t Address) const {
+    Tags.prefetch(lineOf(Address >> SectorShift));
+  }
 
   /// The next cycle by which advance() must be called even without a new
   /// access; NoCycle if it can wait.
@@ -116,10 +130,29 @@ private:
       completeFill();
   }
   void enqueue(uint32_t Index) {
-    uint32_t Bank = Pool[Index].Address >> BankShift & BankMask;
+    uint32_t Bank = bankOf(Pool[Index].Address);
     Banks[Bank].append(Pool, Index);
     Waiting |= uint64_t(1) << Bank;
   }
+  uint32_t bankOf(uint32_t Address) const {
+    return Address >> BankShift & BankMask;
+  }
+
+  /// Whether all arrivals of this cycle were loads for different banks, and
+  /// have been served: the same as through the banks' queues, at less cost.
+  template <class ArrivalQueue> bool serveUncontested(ArrivalQueue &Arrivals);
+  /// Whether a load hits: then that is noted.
+  bool hit(uint32_t Address) {
+    uint32_t Sector = Address >> SectorShift;
+    CacheLine *Line = Tags.find(lineOf(Sector));
+    if (!Line || !(Line->Valid & maskOf(Sector)))
+      return false;
+    Tags.promote(Line);
+    ++Counts.Loads;
+    ++Counts.Hits;
+    return true;
+  }
+
   void serveBanks() {
     uint64_t Above = ~uint64_t(0);
     while (uint64_t Left = Waiting & ~Blocked & Above) {
@@ -174,6 +207,36 @@ private:
   uint64_t Blocked = 0;
   CacheStatistics Counts;
 };
+
+template <class ArrivalQueue>
+bool Cache::serveUncontested(ArrivalQueue &Arrivals) {
+  auto Next = Arrivals.arrivals();
+  std::array<uint8_t, 64> ArrivalOf;
+  uint64_t Wanted = 0;
+  uint32_t Count = 0;
+  for (; Count != Next.size() && Next[Count].Cycle == Now; ++Count) {
+    uint32_t Bank = bankOf(Next[Count].Address);
+    if (Next[Count].Kind != RequestKind::Load || Wanted >> Bank & 1)
+      return false;
+    Wanted |= uint64_t(1) << Bank;
+    ArrivalOf[Bank] = uint8_t(Count);
+  }
+  for (; Wanted != 0; Wanted &= Wanted - 1) {
+    auto Bank = unsigned(std::countr_zero(Wanted));
+    uint32_t I = ArrivalOf[Bank];
+    if (hit(Next[I].Address)) {
+      Arrivals.answerHit(I, Now + Config.Latency);
+      continue;
+    }
+    uint32_t Index = Arrivals.addToPool(I);
+    if (!serve(Index)) {
+      enqueue(Index);
+      Blocked |= uint64_t(1) << Bank;
+    }
+  }
+  Arrivals.drop(Count);
+  return true;
+}
 
 } // namespace tp
 

@@ -15,13 +15,6 @@ TagArray::TagArray(const CacheConfig &Config)
       SetMask(uint32_t(Config.Bytes / Config.LineBytes / Config.Ways) - 1),
       Lines(Config.Bytes / Config.LineBytes) {}
 
-CacheLine *TagArray::promote(CacheLine *Line) {
-  CacheLine *Set = setOf(Line->Number);
-  if (Line != Set)
-    std::rotate(Set, Line, Line + 1);
-  return Set;
-}
-
 CacheLine TagArray::replace(uint32_t Number) {
   CacheLine *Set = setOf(Number);
   CacheLine Victim = Set[Ways - 1];

@@ -38,7 +38,19 @@ public:
   }
 
   /// Makes a line the last used of its set and gives its new place.
-  CacheLine *promote(CacheLine *Line);
+  CacheLine *promote(CacheLine *Line) {
+    CacheLine *Set = setOf(Line->Number);
+    CacheLine Used = *Line;
+    for (; Line != Set; --Line)
+      *Line = Line[-1];
+    *Set = Used;
+    return Set;
+  }
+
+  /// Brings the set of a line into the host's cache.
+  void prefetch(uint32_t Number) const {
+    __builtin_prefetch(Lines.data() + size_t(Number & SetMask) * Ways);
+  }
 
   /// Replaces the line of the set that was not used for longest, which is
   /// returned, by an empty one with this number, the last used.

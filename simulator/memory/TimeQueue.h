@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tp {
@@ -47,7 +48,11 @@ public:
     return Head == Sorted.size() ? NoCycle : Sorted[Head].Cycle;
   }
   const T &front() const { return Sorted[Head]; }
-  void pop() { ++Head; }
+  /// All settled entries.
+  std::span<const T> entries() const {
+    return std::span<const T>(Sorted).subspan(Head);
+  }
+  void pop(size_t Count = 1) { Head += Count; }
 
   void serialize(Archive &A) {
     settle();

@@ -24,10 +24,12 @@ void TmGroup::advance(uint64_t Limit) {
     std::vector<Access> &Sent = Tms[Tm]->Outgoing;
     for (Access &Request : Sent) {
       Request.Source = uint16_t(Tm);
-      if (L2)
+      if (L2) {
+        L2->prefetch(Request.Address);
         Requests.add(Request);
-      else
+      } else {
         passOn(Request);
+      }
     }
     Sent.clear();
   }
@@ -71,11 +73,14 @@ uint64_t TmGroup::nextAdvance() const {
 }
 
 void TmGroup::answer(uint32_t Index, uint64_t Ready, ServedBy Level) {
-  const Access &A = Pool[Index];
+  sendBack(Pool[Index], Ready, Level);
+  Pool.release(Index);
+}
+
+void TmGroup::sendBack(const Access &A, uint64_t Departure, ServedBy Level) {
   uint32_t Bytes = A.Kind == RequestKind::Store ? 0 : A.Bytes;
   if (A.Tag != NoIndex)
-    Tms[A.Source]->sendBack({Ready, A.Sequence, A.Tag, Bytes, Level});
-  Pool.release(Index);
+    Tms[A.Source]->sendBack({Departure, A.Sequence, A.Tag, Bytes, Level});
 }
 
 void TmGroup::fetch(uint32_t Register, uint32_t Address, uint64_t Departure) {

@@ -55,11 +55,17 @@ public:
 
   /// @{ What the L2 sees as its arrivals.
   uint64_t nextCycle() const { return Requests.nextCycle(); }
+  std::span<const Access> arrivals() const { return Requests.entries(); }
   uint32_t take() {
-    uint32_t Index = Pool.add(Requests.front());
+    uint32_t Index = addToPool(0);
     Requests.pop();
     return Index;
   }
+  uint32_t addToPool(uint32_t Arrival) { return Pool.add(arrivals()[Arrival]); }
+  void answerHit(uint32_t Arrival, uint64_t Ready) {
+    sendBack(arrivals()[Arrival], Ready, ServedBy::L2);
+  }
+  void drop(uint32_t Count) { Requests.pop(Count); }
   /// @}
 
 private:
@@ -72,6 +78,7 @@ private:
   void forward(uint32_t Index, uint64_t Departure) override;
   void write(uint32_t Address, uint32_t Bytes, uint64_t Departure) override;
 
+  void sendBack(const Access &A, uint64_t Departure, ServedBy Level);
   /// Without an L2: hands a TM's request to DRAM.
   void passOn(const Access &Request);
   uint32_t burstsOf(uint32_t Address, uint32_t Bytes) const;

@@ -45,8 +45,8 @@ void TmPath::takeAnswers(std::vector<MemoryAnswer> &Answers) {
   Late.clear();
 }
 
-uint32_t TmPath::take() {
-  const MemoryRequest &Request = Requests.front();
+uint32_t TmPath::addToPool(uint32_t Arrival) {
+  const MemoryRequest &Request = arrivals()[Arrival];
   Access A;
   A.Cycle = Request.Cycle;
   A.Address = Request.Address;
@@ -54,8 +54,13 @@ uint32_t TmPath::take() {
   A.Source = Request.Tp;
   A.Bytes = Request.Bytes;
   A.Kind = Request.Kind;
+  return Pool.add(A);
+}
+
+uint32_t TmPath::take() {
+  uint32_t Index = addToPool(0);
   Requests.pop();
-  uint32_t Index = Pool.add(A);
+  const Access &A = Pool[Index];
   if (L1 && A.Kind != RequestKind::Fetch)
     return Index;
   forward(Index, A.Cycle + L1Latency);

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tp {
@@ -67,7 +68,14 @@ public:
 
   /// @{ What the L1 sees as its arrivals.
   uint64_t nextCycle() const { return Requests.nextCycle(); }
+  std::span<const MemoryRequest> arrivals() const { return Requests.entries(); }
   uint32_t take();
+  uint32_t addToPool(uint32_t Arrival);
+  void answerHit(uint32_t Arrival, uint64_t Ready) {
+    const MemoryRequest &Request = arrivals()[Arrival];
+    Early->push_back({Ready, Request.Ticket, Request.Tp, ServedBy::L1});
+  }
+  void drop(uint32_t Count) { Requests.pop(Count); }
   /// @}
 
 private:
