@@ -31,6 +31,8 @@ struct CodeSubject {
   const Program *Text = nullptr;
   const ChipContext *Context = nullptr;
   bool FlushToZero = false;
+  /// Whether loads ask TmRunnerState::Memory.
+  bool HasMemorySystem = false;
   /// The bits of a resource word that say that a limit is exceeded. Each
   /// 64-bit part of a word can be used and tested without the others.
   WideWord Guards = 0;

@@ -187,6 +187,7 @@ void WindowEngine<Word, FlushToZero>::setCodeGenerator(
     std::unique_ptr<CodeGenerator> NewGenerator) {
   Generator = std::move(NewGenerator);
   CodeSubject Subject = describeText(Slots, Text, Context, Layout, FlushToZero);
+  Subject.HasMemorySystem = Hierarchy != nullptr;
   Subject.LineOf = LineOf;
   for (size_t I = 0; I != Fetched.size(); ++I)
     Subject.Interpreter[I] = reinterpret_cast<const void *>(Fetched[I]);

@@ -25,7 +25,7 @@ Expected<Batch> BatchCompiler::compile(std::span<const Segment> Segments) {
         addSegment(**M, Names.back(), Subject, Steps, NumCounts));
     NumCounts += Result.Counts.back().Exits.size();
   }
-  optimize(**M, [this](Function &F) { foldContext(F, *Subject.Context); });
+  optimize(**M, [this](Function &F) { foldConstants(F, Subject); });
   Expected<std::vector<const void *>> Entries =
       Session->compile(std::move(*M), std::move(Context), Names);
   if (!Entries)

@@ -30,22 +30,30 @@ std::vector<Segment> HotSpots::choose(const CodeSubject &Subject,
     Heads.push_back(Word);
   };
   AddHead((Subject.Text->entry() - Subject.Text->textBegin()) / 4);
-  for (uint32_t Word = 0; Word != NumWords; ++Word)
+  std::span<const Instruction> Text = Subject.Text->instructions();
+  for (uint32_t Word = 0; Word != NumWords; ++Word) {
     if (isEntered(Interpreted, Word))
       AddHead(Word);
+    Flow Kind = flowOf(Text[Word].Op);
+    bool HasTarget = Kind == Flow::Branch || Kind == Flow::Jump;
+    if (HasTarget && Interpreted[Word] >= HotCount)
+      if (std::optional<uint32_t> Target = targetOf(Text[Word], Word, NumWords))
+        AddHead(*Target);
+  }
 
-  std::vector<Segment> Result;
   for (size_t I = 0; I != Heads.size(); ++I) {
-    Segment Steps = formSegment(Subject, Heads[I], Executed);
-    if (Steps.empty()) {
-      if (Heads[I] + 1 < NumWords)
-        AddHead(Heads[I] + 1);
-      continue;
-    }
+    Segment Steps = formSegment(Subject, Heads[I], Executed, IsHead);
     for (uint32_t Next : successorsOf(Subject, Steps))
       AddHead(Next);
-    Result.push_back(std::move(Steps));
+    if (Steps.empty() && Heads[I] + 1 < NumWords)
+      AddHead(Heads[I] + 1);
   }
+  // Now that all are known, none runs into another.
+  std::vector<Segment> Result;
+  for (uint32_t Head : Heads)
+    if (Segment Steps = formSegment(Subject, Head, Executed, IsHead);
+        !Steps.empty())
+      Result.push_back(std::move(Steps));
   std::ranges::sort(Result, std::greater(), [&](const Segment &Steps) {
     return std::pair(Executed[Steps.front().Word], Steps.front().Word);
   });

@@ -20,8 +20,9 @@ class HotSpots {
 public:
   /// \p Interpreted is how often the interpreter has executed each word since
   /// the last call, \p Executed how often it and generated code have in all.
-  /// Gives the segments to compile, the hottest first: from each word that
-  /// threads enter at least \p HotCount times, and on from where those end.
+  /// Gives the segments to compile, the hottest first: from each word where
+  /// threads come from elsewhere than the word before, if the interpreter has
+  /// executed it at least \p HotCount times, and on from where those end.
   std::vector<Segment> choose(const CodeSubject &Subject,
                               std::span<const uint64_t> Interpreted,
                               std::span<const uint64_t> Executed,

@@ -46,7 +46,8 @@ static bool isMostlyTaken(uint32_t Word, std::span<const uint64_t> ExecutedAt) {
 }
 
 Segment formSegment(const CodeSubject &Subject, uint32_t Head,
-                    std::span<const uint64_t> ExecutedAt) {
+                    std::span<const uint64_t> ExecutedAt,
+                    const std::vector<bool> &IsHead) {
   std::span<const Instruction> Text = Subject.Text->instructions();
   bool FollowsTaken = Subject.Context->BranchLatency == 1;
   Segment Result;
@@ -54,7 +55,8 @@ Segment formSegment(const CodeSubject &Subject, uint32_t Head,
   for (uint32_t Word = Head;
        Result.size() < MaxSegmentSteps && isCompiled(Subject, Word);) {
     const Instruction &Decoded = Text[Word];
-    if (Loaded.isUsedBy(Decoded) ||
+    bool IsJoin = Word != Head && IsHead[Word];
+    if (IsJoin || Loaded.isUsedBy(Decoded) ||
         std::ranges::find(Result, Word, &SegmentStep::Word) != Result.end())
       break;
     Loaded.step(Decoded);

@@ -24,20 +24,22 @@ struct SegmentStep {
   bool FollowsTarget = false;
 };
 
-/// A way through the text without joins: it is entered at its first step only
-/// and may be left at any.
+/// A way through the text: it is entered at its first step only and may be left
+/// at any.
 using Segment = std::vector<SegmentStep>;
 
 /// The longest segment.
 inline constexpr size_t MaxSegmentSteps = 32;
 
 /// The segment that begins at \p Head: along the hotter side of each branch, up
-/// to what only the interpreter does, and to the first use of what it has
-/// itself loaded from other than the stack: there a thread will likely sleep,
-/// and a segment begins where it wakes up. Empty if the interpreter must do
-/// the first instruction. \p ExecutedAt says how often each word was executed.
+/// to where another begins, to what only the interpreter does, and to the first
+/// use of what it has itself loaded from other than the stack: there a thread
+/// will likely sleep, and a segment begins where it wakes up. Empty if the
+/// interpreter must do the first instruction. \p ExecutedAt says how often each
+/// word was executed, \p IsHead where segments begin.
 Segment formSegment(const CodeSubject &Subject, uint32_t Head,
-                    std::span<const uint64_t> ExecutedAt);
+                    std::span<const uint64_t> ExecutedAt,
+                    const std::vector<bool> &IsHead);
 
 /// The words of the text where a thread may go from a segment, as far as the
 /// text says, and where it will come back to from calls.

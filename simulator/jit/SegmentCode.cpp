@@ -115,6 +115,8 @@ private:
   uint32_t Now = 0;
   /// Steps whose waits have been charged.
   uint32_t Waited = 0;
+  /// Where the interpreter takes over at the cycle at hand, once it is needed.
+  BasicBlock *Stop = nullptr;
   /// What it will write to the resource words, and where.
   SmallVector<std::pair<llvm::Value *, llvm::Value *>, 2> Taken;
 };
@@ -227,11 +229,14 @@ void SegmentBuilder::leaveTo(llvm::Value *SlotAddress) {
 
 void SegmentBuilder::proceedIf(llvm::Value *Condition) {
   BasicBlock *Go = newBlock("go");
-  BasicBlock *Stop = newBlock("stop");
+  if (!Stop) {
+    Stop = newBlock("stop");
+    IRBuilder<>::InsertPointGuard Guard(B);
+    B.SetInsertPoint(Stop);
+    countExit(Index);
+    leave(address(Subject.Interpreter[Word]), slotAddress(Word));
+  }
   B.CreateCondBr(Condition, Go, Stop, likely());
-  B.SetInsertPoint(Stop);
-  countExit(Index);
-  leave(address(Subject.Interpreter[Word]), slotAddress(Word));
   B.SetInsertPoint(Go);
 }
 
@@ -262,8 +267,9 @@ void SegmentBuilder::waitForSources() {
   if (Until > Now && takesTime(Decoded->Op)) {
     Wait = {uint32_t(Until - Now), ready::producerOf(Latest)};
     wait(Loss::Data, Wait.Cycles);
+    Waited = Index + 1;
+    Stop = nullptr;
   }
-  Waited = Index + 1;
 }
 
 void SegmentBuilder::wait(Loss Reason, uint32_t Cycles) {
@@ -398,6 +404,7 @@ void SegmentBuilder::buildStep(const SegmentStep &Step) {
   Word = Step.Word;
   Decoded = &Text[Word];
   Waited = Index;
+  Stop = nullptr;
   checkStackPointer();
   waitForSources();
   takeResources();
@@ -410,6 +417,7 @@ void SegmentBuilder::buildStep(const SegmentStep &Step) {
   writeResult(Result);
   if (takesTime(Decoded->Op))
     ++Now;
+  Waited = Index + 1;
   if (flowOf(Decoded->Op) != Flow::Next)
     leaveBranch(Step, Result, Kind);
 }
@@ -452,7 +460,7 @@ static Constant *constantAt(const ChipContext &Context, uint64_t Offset,
   return Of == Integer->getType() ? Integer : nullptr;
 }
 
-void foldContext(Function &Handler, const ChipContext &Context) {
+void foldConstants(Function &Handler, const CodeSubject &Subject) {
   const DataLayout &Layout = Handler.getDataLayout();
   const Argument *Runner = Handler.getArg(4);
   for (llvm::Instruction &I : make_early_inc_range(instructions(Handler))) {
@@ -465,11 +473,17 @@ void foldContext(Function &Handler, const ChipContext &Context) {
             Layout, Offset, /*AllowNonInbounds=*/true);
     if (Base != Runner)
       continue;
-    uint64_t InContext = Offset.getZExtValue() - offsetof(TmRunnerState, Chip);
+    uint64_t At = Offset.getZExtValue();
+    if (At == offsetof(TmRunnerState, Memory) && !Subject.HasMemorySystem) {
+      Load->replaceAllUsesWith(Constant::getNullValue(Load->getType()));
+      Load->eraseFromParent();
+      continue;
+    }
+    uint64_t InContext = At - offsetof(TmRunnerState, Chip);
     if (InContext >= sizeof(ChipContext))
       continue;
     if (Constant *Known =
-            constantAt(Context, InContext, Load->getType(), Layout)) {
+            constantAt(*Subject.Context, InContext, Load->getType(), Layout)) {
       Load->replaceAllUsesWith(Known);
       Load->eraseFromParent();
     }

@@ -49,8 +49,9 @@ SegmentCounts addSegment(llvm::Module &M, const std::string &Name,
                          const CodeSubject &Subject, const Segment &Steps,
                          size_t FirstCount);
 
-/// Replaces what the handler loads of the chip's context by its values.
-void foldContext(llvm::Function &Handler, const ChipContext &Context);
+/// Replaces what the handler loads of the chip's context and never changes by
+/// its values.
+void foldConstants(llvm::Function &Handler, const CodeSubject &Subject);
 
 } // namespace tp
 
