@@ -25,10 +25,6 @@ public:
       : Chip(Chip), Tree(Tree), Errors(Errors) {}
 
   void check() {
-    if (uint64_t(Chip.TmCount) * Chip.TpsPerTm > MaxThreads)
-      bad("tm.tps", Twine(Chip.TmCount) + " TMs x " + Twine(Chip.TpsPerTm) +
-                        " TPs are more than the " + Twine(MaxThreads) +
-                        " threads that the simulator allows");
     if (Chip.L1)
       checkCache("l1", *Chip.L1);
     if (Chip.L2)
@@ -38,6 +34,10 @@ public:
     checkIcache();
     if (Errors.empty())
       checkWindow();
+    if (uint64_t(Chip.TmCount) * Chip.TpsPerTm > MaxThreads)
+      bad("tm.tps", Twine(Chip.TmCount) + " TMs x " + Twine(Chip.TpsPerTm) +
+                        " TPs are more than the " + Twine(MaxThreads) +
+                        " threads that the simulator allows");
   }
 
 private:

@@ -42,8 +42,13 @@ std::string YamlSection::pathOf(StringRef Key) const {
   return Path.empty() ? Key.str() : Path + "." + Key.str();
 }
 
+void YamlSection::allow(StringRef Key) {
+  if (!is_contained(Allowed, Key))
+    Allowed.push_back(Key.str());
+}
+
 bool YamlSection::has(StringRef Key) {
-  Allowed.push_back(Key.str());
+  allow(Key);
   return Mapping.find(Key) != nullptr;
 }
 
@@ -66,7 +71,7 @@ void YamlSection::bad(const YamlEntry &Entry, const Twine &Wanted) {
 
 const YamlEntry *YamlSection::scalar(StringRef Key, const Twine &Wanted,
                                      Presence P) {
-  Allowed.push_back(Key.str());
+  allow(Key);
   const YamlEntry *Entry = Mapping.find(Key);
   if (!Entry) {
     if (P == Presence::Required)
@@ -156,7 +161,7 @@ YamlSection YamlSection::section(StringRef Key, Presence P) {
     Value.Is = YamlValue::Kind::Mapping;
     return Value;
   }();
-  Allowed.push_back(Key.str());
+  allow(Key);
   const YamlEntry *Entry = Mapping.find(Key);
   if (!Entry) {
     if (P == Presence::Required)
@@ -172,7 +177,7 @@ YamlSection YamlSection::section(StringRef Key, Presence P) {
 }
 
 void YamlSection::exclude(StringRef Key, StringRef Other) {
-  Allowed.push_back(Key.str());
+  allow(Key);
   if (const YamlEntry *Entry = Mapping.find(Key))
     Errors.add(Entry->Value.Line, "'" + pathOf(Key) +
                                       "' does nothing on a chip with " + Other +

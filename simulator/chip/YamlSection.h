@@ -104,6 +104,7 @@ private:
   bool Absent;
   llvm::SmallVector<std::string, 16> Allowed;
 
+  void allow(llvm::StringRef Key);
   const YamlEntry *scalar(llvm::StringRef Key, const llvm::Twine &Wanted,
                           Presence P);
   void missing(llvm::StringRef Key, const llvm::Twine &Wanted);
