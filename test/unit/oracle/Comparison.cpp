@@ -8,6 +8,8 @@
 #include "test/unit/oracle/ScoreboardModel.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 
 namespace tp::test {
@@ -137,7 +139,12 @@ RunRecord runEngine(const ChipConfig &Chip, const RandomProgram &Source,
   RunRecord Record;
   Record.ProfileValues.resize(Chip.threadCount());
   Recorder Observer(Record);
-  Engine Simulated(Chip, Text, Global);
+  Engine Simulated(Chip, Text, Global, makeMemorySystem(Chip));
+  if (!Simulated.error().empty()) {
+    std::fprintf(stderr, "the engine refuses the chip: %s\n",
+                 Simulated.error().c_str());
+    std::abort();
+  }
   Simulated.setObserver(&Observer);
   Simulated.setOutput(
       [&](int, std::string_view Bytes) { Record.Output += Bytes; });

@@ -58,6 +58,8 @@ public:
     bool Local = Model.isLocal(At);
     Effects.Latency = Local ? 1 : Model.Chip.MemoryLatency;
     Effects.FromGlobal = !Local;
+    Effects.Address = At;
+    Effects.Bytes = sizeof(V);
     uint8_t Bytes[sizeof(V)];
     for (unsigned I = 0; I != sizeof(V); ++I)
       Bytes[I] = Local ? T.LocalStore[At + I - Model.localBegin()]

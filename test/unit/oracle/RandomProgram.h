@@ -64,6 +64,8 @@ struct RandomProgram {
 
 /// A chip on which TPs get into each other's way.
 ChipConfig randomChip(RandomSource &Random);
+/// The same with some of L1, crossbar, L2 and DRAM, all small.
+ChipConfig randomMemoryChip(RandomSource &Random);
 
 } // namespace tp::test
 

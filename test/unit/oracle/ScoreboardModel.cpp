@@ -22,11 +22,13 @@ static const uint8_t (&sourcesOf(const Instruction &I))[3] { return I.Source; }
 ScoreboardModel::ScoreboardModel(const ChipConfig &Chip, const Program &Text,
                                  Memory &Global)
     : Chip(Chip), Text(Text), Global(Global),
-      Threads(Chip.TmCount * Chip.TpsPerTm) {
+      Threads(Chip.TmCount * Chip.TpsPerTm),
+      Hierarchy(makeMemorySystem(this->Chip)) {
   for (uint32_t I = 0; I != Threads.size(); ++I) {
     Threads[I].Number = I;
     Threads[I].Pc = Text.entry();
     Threads[I].LocalStore.resize(Chip.LocalStoreBytes);
+    Threads[I].StoreEntries.resize(Chip.StoreBufferEntries);
   }
   Counts.Pcs.resize(Text.instructions().size());
   uint32_t Before = 0;
@@ -42,9 +44,13 @@ RunResult ScoreboardModel::run(uint64_t MaxCycles) {
     uint64_t Window = Cycle / Chip.ArbitrationWindow;
     WindowStart = Window * Chip.ArbitrationWindow;
     WindowEnd = std::min(WindowStart + Chip.ArbitrationWindow, MaxCycles);
-    for (; Cycle != WindowEnd; ++Cycle)
+    takeSharedAnswers();
+    for (; Cycle != WindowEnd; ++Cycle) {
       simulateCycle();
+      advanceMemory();
+    }
     endWindow();
+    runSharedMemory();
     if (FirstTrap) {
       Result.End = RunResult::Trapped;
       Result.ExitStatus = 1;
@@ -66,7 +72,10 @@ RunResult ScoreboardModel::run(uint64_t MaxCycles) {
       break;
     }
   }
+  settleAll();
   Counts.Cycles = Cycle;
+  if (Hierarchy)
+    Counts.Memory = Hierarchy->statistics();
   for (const ModelThread &T : Threads)
     Counts.Threads.push_back(T.Counts);
   return Result;
@@ -93,6 +102,8 @@ void ScoreboardModel::simulateThread(ModelThread &T, Started &S) {
     return T.Waiting == Loss::Memory
                ? loseToResult(T, Loss::Memory, T.WaitingFor)
                : lose(T, T.Waiting);
+  if (awaitsStoreBuffer(T))
+    return;
   const Instruction *I = nextInstruction(T);
   if (!I || !areSourcesReady(T, *I) || !hasSlots(T, *I, S))
     return;
@@ -104,6 +115,11 @@ void ScoreboardModel::simulateThread(ModelThread &T, Started &S) {
     T.Waiting = Loss::Memory;
     T.WaitingFor = *Effects.Blocker;
     return loseToResult(T, Loss::Memory, T.WaitingFor);
+  }
+  bool IsStore = Effects.Access && Effects.Access->Kind == ModelAccess::Store;
+  if (Hierarchy && IsStore && T.StoreEntries[T.NextStore] > Cycle) {
+    T.AwaitsEntry = true;
+    return loseToResult(T, Loss::StoreBuffer, I->Op);
   }
   takeSlots(T, *I, S);
   issue(T, *I, Effects);
@@ -135,7 +151,7 @@ const Instruction *ScoreboardModel::nextInstruction(ModelThread &T) {
   if (takesTime(I.Op))
     return &I;
   // A message about a value that nobody knows yet.
-  loseToResult(T, Loss::Memory, T.Registers[sourcesOf(I)[0]].Producer);
+  areSourcesReady(T, I);
   return nullptr;
 }
 
@@ -159,6 +175,7 @@ void ScoreboardModel::passMessages(ModelThread &T, uint64_t At) {
     if (isBehindStackMove(Word) &&
         T.Registers[StackPointerRegister].Value < Text.stackLimit())
       return;
+    settle(T, I);
     execute(T, I);
   }
 }
@@ -169,26 +186,53 @@ bool ScoreboardModel::mayPass(const ModelThread &T, const Instruction &I,
     const ModelRegister &R = T.Registers[Source];
     bool Deferred =
         R.FromGlobal && latencyClassOf(R.Producer) == LatencyClass::Atomic;
-    if (R.Unknown || (Deferred && R.Ready > At))
+    if (R.Unknown || (Deferred && (R.IsPending || R.Ready > At)))
       return false;
   }
   return true;
 }
 
+/// The order of registers by who is waited for.
+static auto waitOrder(const ModelRegister &R) {
+  return std::tuple(R.IsPending, R.IsPending ? 0 : R.Ready, R.FromGlobal,
+                    unsigned(R.Producer), R.Level);
+}
+
+const ModelRegister &ScoreboardModel::lastSource(const ModelThread &T,
+                                                 const Instruction &I) const {
+  const ModelRegister *Last = &T.Registers[sourcesOf(I)[0]];
+  for (uint8_t Source : sourcesOf(I))
+    if (waitOrder(T.Registers[Source]) > waitOrder(*Last))
+      Last = &T.Registers[Source];
+  return *Last;
+}
+
 bool ScoreboardModel::areSourcesReady(ModelThread &T, const Instruction &I) {
-  const ModelRegister *Last = nullptr;
-  auto Order = [](const ModelRegister &R) {
-    return std::tuple(R.Ready, R.FromGlobal, unsigned(R.Producer));
-  };
-  for (uint8_t Source : sourcesOf(I)) {
-    const ModelRegister &R = T.Registers[Source];
-    if (R.Ready > Cycle && (!Last || Order(R) > Order(*Last)))
-      Last = &R;
+  const ModelRegister &Last = lastSource(T, I);
+  if (Last.IsPending) {
+    ++T.Uncharged;
+    return false;
   }
-  if (!Last)
+  settle(T, I);
+  if (Last.Ready <= Cycle)
     return true;
-  loseToResult(T, Last->FromGlobal ? Loss::Memory : Loss::Data, Last->Producer);
+  loseTo(T, Last, 1);
   return false;
+}
+
+void ScoreboardModel::settle(ModelThread &T, const Instruction &I) {
+  loseTo(T, lastSource(T, I), T.Uncharged);
+  T.Uncharged = 0;
+}
+
+void ScoreboardModel::loseTo(ModelThread &T, const ModelRegister &Source,
+                             uint64_t Cycles) {
+  static constexpr Loss ByLevel[] = {Loss::L1, Loss::L2, Loss::Dram,
+                                     Loss::Memory};
+  static_assert(std::size(ByLevel) == NumServedBy);
+  Loss Reason =
+      Source.FromGlobal ? ByLevel[unsigned(Source.Level)] : Loss::Data;
+  loseToResult(T, Reason, Source.Producer, Cycles);
 }
 
 uint32_t ScoreboardModel::bankOf(const ModelThread &T) const {
@@ -221,6 +265,14 @@ void ScoreboardModel::issue(ModelThread &T, const Instruction &I,
                             const ModelEffects &Effects) {
   if (Effects.HasResult)
     writeResult(T, I, Effects);
+  bool IsLoad = Effects.FromGlobal && !Effects.Access;
+  bool IsStore = Effects.Access && Effects.Access->Kind == ModelAccess::Store;
+  if (Hierarchy && (Effects.FromGlobal || IsStore))
+    request(T,
+            IsLoad    ? RequestKind::Load
+            : IsStore ? RequestKind::Store
+                      : RequestKind::Atomic,
+            I.Destination, Effects);
   if (Effects.Access) {
     ModelAccess &Access = Accesses.emplace_back(*Effects.Access);
     Access.Thread = T.Number;
@@ -256,6 +308,7 @@ void ScoreboardModel::issue(ModelThread &T, const Instruction &I,
   case ModelEffects::Sync:
     T.NextIssue = WindowEnd;
     T.Waiting = Loss::Sync;
+    T.AwaitsStores = Hierarchy != nullptr;
     return;
   case ModelEffects::Sleep:
     T.NextIssue = Cycle + 1 + Effects.Argument;
@@ -276,20 +329,22 @@ void ScoreboardModel::writeResult(ModelThread &T, const Instruction &I,
   R.Producer = I.Op;
   R.Write = ++Writes;
   R.Unknown = Effects.Access.has_value();
+  R.IsPending = Hierarchy && Effects.FromGlobal;
+  R.Level = ServedBy::Memory;
   if (!R.Unknown)
     R.Value = Effects.Result;
 }
 
-void ScoreboardModel::lose(ModelThread &T, Loss Reason) {
-  ++T.Counts.Lost[unsigned(Reason)];
+void ScoreboardModel::lose(ModelThread &T, Loss Reason, uint64_t Cycles) {
+  T.Counts.Lost[unsigned(Reason)] += Cycles;
   if (Reason != Loss::Finished)
-    ++Counts.Pcs[T.LosingWord].Lost[unsigned(Reason)];
+    Counts.Pcs[T.LosingWord].Lost[unsigned(Reason)] += Cycles;
 }
 
-void ScoreboardModel::loseToResult(ModelThread &T, Loss Reason,
-                                   Opcode Producer) {
-  lose(T, Reason);
-  ++Counts.DataStall[unsigned(Producer)];
+void ScoreboardModel::loseToResult(ModelThread &T, Loss Reason, Opcode Producer,
+                                   uint64_t Cycles) {
+  lose(T, Reason, Cycles);
+  Counts.DataStall[unsigned(Producer)] += Cycles;
 }
 
 void ScoreboardModel::trap(ModelThread &T, uint32_t Pc, TrapKind Reason,

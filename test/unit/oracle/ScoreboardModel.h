@@ -16,9 +16,12 @@
 #include "simulator/core/Engine.h"
 #include "simulator/isa/FloatRules.h"
 #include "simulator/isa/StreamAccess.h"
+#include "simulator/memory/MemorySystem.h"
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -64,6 +67,9 @@ struct ModelEffects {
   std::optional<uint32_t> Target;
   bool HasResult = false;
   uint32_t Result = 0;
+  /// Of a load.
+  uint32_t Address = 0;
+  unsigned Bytes = 4;
   /// Cycles until the result, if its place says so and not its class.
   std::optional<uint32_t> Latency;
   bool FromGlobal = false;
@@ -76,8 +82,10 @@ struct ModelEffects {
 
 struct ModelRegister {
   uint32_t Value = 0;
-  /// First cycle in which it may be read.
+  /// First cycle in which it may be read, if that is known.
   uint64_t Ready = 0;
+  bool IsPending = false;
+  ServedBy Level = ServedBy::Memory;
   bool FromGlobal = false;
   /// Its value comes at the end of the window.
   bool Unknown = false;
@@ -93,6 +101,17 @@ struct ModelThread {
   uint32_t Pc = 0;
   std::array<ModelRegister, NumRegisters> Registers;
   std::vector<uint8_t> LocalStore;
+  /// Of the store buffer, each the first cycle in which it is free; the next
+  /// store takes entry NextStore.
+  std::vector<uint64_t> StoreEntries;
+  size_t NextStore = 0;
+  uint64_t LastStoreAnswer = 0;
+  /// Waits for its entry, for all entries.
+  bool AwaitsEntry = false;
+  bool AwaitsStores = false;
+  /// Cycles that it has waited for a result of which nobody knows yet where it
+  /// comes from.
+  uint64_t Uncharged = 0;
   /// Until this cycle it waits, and for what (and whose result).
   uint64_t NextIssue = 0;
   Loss Waiting = Loss::Data;
@@ -141,6 +160,12 @@ private:
   bool mayPass(const ModelThread &T, const Instruction &I, uint64_t At) const;
   /// True if the instruction's sources are ready; else charges the wait.
   bool areSourcesReady(ModelThread &T, const Instruction &I);
+  /// The one that is ready last.
+  const ModelRegister &lastSource(const ModelThread &T,
+                                  const Instruction &I) const;
+  /// Charges what has been left uncharged, now that it is known to whom.
+  void settle(ModelThread &T, const Instruction &I);
+  void loseTo(ModelThread &T, const ModelRegister &Source, uint64_t Cycles);
   /// The same of its bank's ports and its unit's slots.
   bool hasSlots(ModelThread &T, const Instruction &I, const Started &S);
   void takeSlots(const ModelThread &T, const Instruction &I, Started &S) const;
@@ -150,9 +175,23 @@ private:
   void writeResult(ModelThread &T, const Instruction &I,
                    const ModelEffects &Effects);
   uint32_t wordOf(const ModelThread &T) const;
-  void lose(ModelThread &T, Loss Reason);
-  void loseToResult(ModelThread &T, Loss Reason, Opcode Producer);
+  void lose(ModelThread &T, Loss Reason, uint64_t Cycles = 1);
+  void loseToResult(ModelThread &T, Loss Reason, Opcode Producer,
+                    uint64_t Cycles = 1);
   void trap(ModelThread &T, uint32_t Pc, TrapKind Reason, uint32_t Address);
+
+  /// Whether the thread waits for its store buffer; charges it.
+  bool awaitsStoreBuffer(ModelThread &T);
+  void request(ModelThread &T, RequestKind Kind, unsigned Destination,
+               const ModelEffects &Effects);
+  void takeAnswer(uint32_t Tm, const MemoryAnswer &Answer);
+  /// What the memory system decides at the beginning of a window, behind the
+  /// cycle at hand, and at the end of a window.
+  void takeSharedAnswers();
+  void advanceMemory();
+  void runSharedMemory();
+  /// Charges those who still wait when the run is cut.
+  void settleAll();
 
   void endWindow();
   void commit(const ModelAccess &Access);
@@ -177,6 +216,18 @@ private:
   std::vector<ModelThread> Threads;
   /// Of each word of the text the instructions before it that are fetched.
   std::vector<uint32_t> Fetches;
+
+  /// Null if the chip has no memory system; then all latencies are known.
+  std::unique_ptr<MemorySystem> Hierarchy;
+  /// What a ticket is for: a register (and which write of it) or an entry of
+  /// the store buffer.
+  struct Ticket {
+    unsigned Destination = NoRegister;
+    uint64_t Write = 0;
+    size_t Entry = 0;
+  };
+  std::map<uint32_t, Ticket> Tickets;
+  uint32_t NextTicket = 0;
 
   uint64_t Cycle = 0;
   uint64_t WindowStart = 0;

@@ -59,13 +59,16 @@ void expectEverything(const Coverage &C) {
   EXPECT_NE(C.Markers, 0u);
 }
 
-void checkPrograms(ProgramShape Shape, uint64_t Count, const EngineRun &Run) {
+using ChipMaker = ChipConfig (*)(RandomSource &Random);
+
+void checkPrograms(ProgramShape Shape, ChipMaker MakeChip, uint64_t Count,
+                   const EngineRun &Run) {
   uint64_t First = fromEnvironment("TP_ORACLE_SEED", 1);
   Count = fromEnvironment("TP_ORACLE_PROGRAMS", Count);
   Coverage C;
   for (uint64_t Seed = First; Seed != First + Count; ++Seed) {
     RandomSource Random(Seed);
-    ChipConfig Chip = randomChip(Random);
+    ChipConfig Chip = MakeChip(Random);
     RandomProgram Source(Random, Shape, Chip);
     uint64_t MaxCycles = Random.oneIn(10) ? Random.between(1, 2000) : 20000;
     RunRecord Model = runModel(Chip, Source, MaxCycles);
@@ -79,11 +82,19 @@ void checkPrograms(ProgramShape Shape, uint64_t Count, const EngineRun &Run) {
 }
 
 TEST(Scoreboard, StraightLinePrograms) {
-  checkPrograms(ProgramShape::StraightLine, 10000, runAtOnce);
+  checkPrograms(ProgramShape::StraightLine, randomChip, 10000, runAtOnce);
 }
 
 TEST(Scoreboard, ProgramsWithBranchesAndLoops) {
-  checkPrograms(ProgramShape::Branching, 3000, runAtOnce);
+  checkPrograms(ProgramShape::Branching, randomChip, 3000, runAtOnce);
+}
+
+TEST(Scoreboard, StraightLineProgramsWithMemorySystem) {
+  checkPrograms(ProgramShape::StraightLine, randomMemoryChip, 3000, runAtOnce);
+}
+
+TEST(Scoreboard, BranchesAndLoopsWithMemorySystem) {
+  checkPrograms(ProgramShape::Branching, randomMemoryChip, 1000, runAtOnce);
 }
 
 } // namespace
