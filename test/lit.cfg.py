@@ -32,4 +32,6 @@ config.substitutions += [
     ("%host_cc", config.host_cc),
     ("%host_cxx", config.host_cxx),
     ("%python", sys.executable),
+    ("%statistics_schema",
+     os.path.join(config.tp_build_dir, "share", "tp", "statistics.schema.json")),
 ]

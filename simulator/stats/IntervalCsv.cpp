@@ -30,7 +30,7 @@ public:
     for (const IntervalFigure &Figure : Figures) {
       OS << ',';
       if (Figure.IsCount)
-        OS << uint64_t(Figure.Value);
+        OS << int64_t(Figure.Value);
       else
         OS << format("%.6g", Figure.Value);
     }

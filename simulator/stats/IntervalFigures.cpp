@@ -46,7 +46,7 @@ private:
         ratio(100, double(Counts.Cycles) * double(Chip.threadCount()));
     auto ThreadCycles = [&](std::string Column, const char *Name,
                             uint64_t Value) {
-      Figures.push_back({std::move(Column), double(Value), true,
+      Figures.push_back({std::move(Column), double(int64_t(Value)), true,
                          "thread-cycles (%)", Name, Percent});
     };
     ThreadCycles("instructions", "issued", Counts.instructions());
@@ -56,6 +56,7 @@ private:
     curve("instructions_per_cycle",
           ratio(double(Counts.instructions()), double(Counts.Cycles)),
           "instructions per cycle", "chip");
+    count("icache_misses", Counts.Icache.Misses);
     count("global_accesses", Counts.GlobalAccesses);
   }
 

@@ -45,6 +45,7 @@ static void writeCache(StringRef Name, const CacheSummary &Cache,
     Json.attribute("caches", Cache.Caches);
     writeCounts(Cache.Counts, CacheCounts, Json);
     Json.attribute("hit_rate", Cache.HitRate);
+    Json.attribute("merged_rate", Cache.MergedRate);
     Json.attribute("bank_utilisation", Cache.BankUtilisation);
     writeBandwidth("read", Cache.Read, Json);
     writeBandwidth("written", Cache.Written, Json);

@@ -56,7 +56,7 @@ void writePcs(const RunSummary &Run, json::OStream &Json) {
         Json.attributeObject("lost", [&] {
           for (unsigned I = 0; I != NumLosses; ++I)
             if (Counts.Lost[I] != 0)
-              Json.attribute(lossName(Loss(I)), Counts.Lost[I]);
+              Json.attribute(lossName(Loss(I)), int64_t(Counts.Lost[I]));
         });
         writeSource(Run.FramesOf(Pc), Json);
       });

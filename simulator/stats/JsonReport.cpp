@@ -115,7 +115,7 @@ private:
       Json.attribute("issued", Stats.instructions());
       Json.attributeObject("lost", [&] {
         for (unsigned I = 0; I != NumLosses; ++I)
-          Json.attribute(lossName(Loss(I)), Stats.lost(Loss(I)));
+          Json.attribute(lossName(Loss(I)), int64_t(Stats.lost(Loss(I))));
       });
     });
   }
@@ -146,6 +146,10 @@ private:
       Json.attribute("fetches", Stats.instructions());
       Json.attribute("conflict_cycles", Stats.lost(Loss::IcacheConflict));
       Json.attribute("utilisation", Run.icacheUtilisation());
+      Json.attribute("lookups", Stats.Icache.Lookups);
+      Json.attribute("misses", Stats.Icache.Misses);
+      Json.attribute("merged", Stats.Icache.Merged);
+      Json.attribute("miss_cycles", Stats.lost(Loss::IcacheMiss));
     });
   }
 

@@ -23,8 +23,9 @@ public:
     CacheSummary Result;
     Result.Counts = Counts;
     Result.Caches = Caches;
-    Result.HitRate =
-        ratio(Counts.Hits, Counts.Hits + Counts.Misses + Counts.Merged);
+    uint64_t Lookups = Counts.Hits + Counts.Misses + Counts.Merged;
+    Result.HitRate = ratio(Counts.Hits, Lookups);
+    Result.MergedRate = ratio(Counts.Merged, Lookups);
     uint64_t Served =
         Counts.Loads + Counts.Stores + Counts.Atomics + Counts.Fetches;
     Result.BankUtilisation =

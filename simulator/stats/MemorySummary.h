@@ -38,6 +38,8 @@ struct CacheSummary {
   uint64_t Caches = 0;
   /// Hits of all that is a hit, a miss or merged, 0 to 1.
   double HitRate = 0;
+  /// What joined a miss, likewise.
+  double MergedRate = 0;
   /// Share of the requests that the banks could have served, 0 to 1.
   double BankUtilisation = 0;
   /// From and to the next level.

@@ -39,6 +39,7 @@ Statistics Statistics::since(const Statistics &Earlier) const {
   Statistics Result = *this;
   Result.Cycles -= Earlier.Cycles;
   Result.GlobalAccesses -= Earlier.GlobalAccesses;
+  Result.Icache -= Earlier.Icache;
   subtract(Result.Executed, Earlier.Executed);
   subtract(Result.DataStall, Earlier.DataStall);
   subtract(Result.UnitConflict, Earlier.UnitConflict);
@@ -59,6 +60,7 @@ Statistics Statistics::since(const Statistics &Earlier) const {
 Statistics &Statistics::operator+=(const Statistics &Later) {
   Cycles += Later.Cycles;
   GlobalAccesses += Later.GlobalAccesses;
+  Icache += Later.Icache;
   add(Executed, Later.Executed);
   add(DataStall, Later.DataStall);
   add(UnitConflict, Later.UnitConflict);

@@ -76,6 +76,27 @@ struct PcStatistics {
   LossCounts Lost{};
 };
 
+/// Of the instruction caches of all TMs, if they can miss: lookups, lines that
+/// were fetched, and lookups that joined such a fetch.
+struct IcacheStatistics {
+  uint64_t Lookups = 0;
+  uint64_t Misses = 0;
+  uint64_t Merged = 0;
+
+  IcacheStatistics &operator+=(const IcacheStatistics &Other) {
+    Lookups += Other.Lookups;
+    Misses += Other.Misses;
+    Merged += Other.Merged;
+    return *this;
+  }
+  IcacheStatistics &operator-=(const IcacheStatistics &Other) {
+    Lookups -= Other.Lookups;
+    Misses -= Other.Misses;
+    Merged -= Other.Merged;
+    return *this;
+  }
+};
+
 /// Sums over the chip. Thread-cycles unless stated otherwise.
 struct Statistics {
   /// Cycles from the start to the last thread's halt (or to the stop).
@@ -95,6 +116,7 @@ struct Statistics {
   std::vector<PcStatistics> Pcs;
   /// Loads, stores, atomics and stream operations that went to global memory.
   uint64_t GlobalAccesses = 0;
+  IcacheStatistics Icache;
   /// Nothing if the chip has neither caches nor DRAM.
   std::optional<MemoryStatistics> Memory;
 
@@ -106,11 +128,27 @@ struct Statistics {
   /// What was counted between \p Earlier, a pause of the same run (or nothing
   /// at all, for its start), and now.
   /// ThreadStatistics::FinishCycle stays a cycle of the run, and maxima stay
-  /// those since its start.
+  /// those since its start. On a chip with a memory system waits for what is
+  /// still on its way count as Loss::Memory until it is known which level
+  /// serves them: their difference may be negative, modulo 2^64.
   Statistics since(const Statistics &Earlier) const;
   /// Appends the counts of a later part of the same run; to nothing at all,
   /// for a sum of parts.
   Statistics &operator+=(const Statistics &Later);
+
+  /// Saves or restores (core/Archive.h).
+  template <class Archive> void serialize(Archive &A) {
+    A(Cycles);
+    A(Executed);
+    A(DataStall);
+    A(UnitConflict);
+    A(Markers);
+    A(Threads);
+    A(Pcs);
+    A(GlobalAccesses);
+    A(Icache);
+    A(Memory);
+  }
 };
 
 } // namespace tp

@@ -81,17 +81,17 @@ private:
   const double Whole;
   raw_ostream &OS;
 
-  void row(const char *Name, uint64_t Cycles, StringRef Details) {
+  void row(const char *Name, int64_t Cycles, StringRef Details) {
     if (Cycles != 0)
       OS << formatv("{0,-16}{1,9}{2}{3}\n", Name, percent(Cycles / Whole),
                     Details.empty() ? "" : "   ", Details);
   }
 
   void rowOf(const char *Name, std::initializer_list<NamedLoss> Losses) {
-    uint64_t Sum = 0;
+    int64_t Sum = 0;
     std::string Parts;
     for (const NamedLoss &Part : Losses) {
-      uint64_t Cycles = Stats.lost(Part.Reason);
+      auto Cycles = int64_t(Stats.lost(Part.Reason));
       Sum += Cycles;
       if (Cycles != 0)
         Parts += formatv("{0}{1} {2}", Parts.empty() ? "" : ", ", Part.Name,

@@ -106,7 +106,7 @@ private:
         grouped(Counts.Loads + Counts.Stores + Counts.Atomics + Counts.Fetches),
         percent(Cache.BankUtilisation),
         formatv("hits {0}, merged {1}", percent(Cache.HitRate),
-                percent(ratio(Counts.Merged, Counts.Loads)))};
+                percent(Cache.MergedRate))};
   }
 
   static PartUse use(const CrossbarSummary &Crossbar) {

@@ -58,7 +58,7 @@ void writeTable(const RunSummary &Run, const HostSpeed &Speed,
     OS << describe(*Sum) << '\n';
   writeLosses(Run, OS);
   writeParts(Run, OS);
-  double Million = Run.Stats.instructions() / 1e6;
+  double Million = Speed.Instructions.value_or(Run.Stats.instructions()) / 1e6;
   OS << formatv("simulated in {0:F2} s on {1} host thread{2}: {3:F1} million "
                 "thread-instructions/s\n",
                 Speed.Seconds, Speed.Threads, Speed.Threads == 1 ? "" : "s",

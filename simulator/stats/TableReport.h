@@ -17,6 +17,9 @@ namespace tp {
 struct HostSpeed {
   double Seconds = 0;
   unsigned Threads = 1;
+  /// Thread-instructions that were simulated in this time; nothing: all that
+  /// the run shows.
+  std::optional<uint64_t> Instructions = std::nullopt;
 };
 
 /// Writes one screen about \p Run: at most 100 columns and 50

@@ -4,9 +4,11 @@
 // RUN: tpcc -O2 %s -o %t.elf
 // RUN: tpsim --chip report-512x8 --quiet --host-threads 1 %t.elf --stats %t.1.json > %t.1.out
 // RUN: %python %S/Inputs/check_statistics.py %t.1.json
+// RUN: %python %S/Inputs/check_schema.py %statistics_schema %t.1.json
 // RUN: FileCheck %s < %t.1.json
 
-// CHECK:      "format_version": 1,
+// CHECK:      "format_version": 2,
+// CHECK-NEXT: "mode": "cycle",
 // CHECK-NEXT: "run": {
 // CHECK-NEXT:   "outcome": "finished",
 // CHECK-NEXT:   "exit_status": 0,
@@ -67,6 +69,37 @@
 // A limit just behind the end of an arbitration window, in which nothing issues.
 // RUN: not tpsim --chip report-512x8 --quiet --max-cycles 65 %t.elf --stats %t.65.json
 // RUN: %python %S/Inputs/check_statistics.py %t.65.json
+
+// With caches and DRAM, for any number of host threads.
+// RUN: tpsim --chip trax-32x32 --set tm.count=4 --quiet --host-threads 1 %t.elf --stats %t.l2.json > %t.l2.out
+// RUN: tpsim --chip trax-32x32 --set tm.count=4 --quiet --host-threads 3 %t.elf --stats %t.l2-3.json > %t.l2-3.out
+// RUN: cmp %t.l2.json %t.l2-3.json
+// RUN: %python %S/Inputs/check_statistics.py %t.l2.json
+// RUN: not tpsim --chip trax-32x32 --set tm.count=4 --set l1=none --set arbitration_window_cycles=32 --quiet --max-cycles 1500 %t.elf --stats %t.l2-cut.json
+// RUN: %python %S/Inputs/check_statistics.py %t.l2-cut.json
+// RUN: tpsim --quiet --chip 4x32 --functional %t.elf --stats %t.functional.json > %t.functional.out
+// RUN: %python %S/Inputs/check_schema.py %statistics_schema %t.cut.json %t.l2.json %t.l2-cut.json %t.functional.json
+// RUN: FileCheck %s --check-prefix=LEVELS < %t.l2.json
+// LEVELS:      "memory": {
+// LEVELS:        "l1": {
+// LEVELS-NEXT:     "caches": 4,
+// LEVELS-NEXT:     "loads": {{[1-9][0-9]*}},
+// LEVELS:        "crossbar": {
+// LEVELS:          "share_of_peak": 0.0
+// LEVELS:        "l2": {
+// LEVELS:        "dram": {
+// LEVELS-NEXT:     "reads": {{[1-9][0-9]*}},
+// LEVELS:          "read_latency_histogram": [0,
+// LEVELS:          "channels": [
+// LEVELS:      "energy": {
+// LEVELS-NEXT:   "joules": {{[1-9].*}},
+// LEVELS-NEXT:   "watts": {{[1-9].*}},
+// LEVELS:        "parts": {
+// LEVELS-NEXT:     "FPADD": {
+// LEVELS-NEXT:       "operations": {{[1-9][0-9]*}},
+// LEVELS:            "assumption": false
+// LEVELS:          "local_store": {
+// LEVELS:            "assumption": true
 
 // The table shows the same run.
 // RUN: tpsim --chip 1x1 %t.elf 2>&1 >/dev/null | FileCheck %s --check-prefix=TABLE

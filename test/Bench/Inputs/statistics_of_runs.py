@@ -20,7 +20,7 @@ def make_statistics(cycles, cached):
     if cached:
         profile["cache"] = CACHE
     return {
-        "format_version": 1,
+        "format_version": 2,
         "run": {"cycles": cycles, "seconds_at_chip_clock": cycles * 1e-9},
         "chip": {"tm_count": 2, "tps_per_tm": 2},
         "rays": {"total": 10, "per_second": rate, "per_thread": {

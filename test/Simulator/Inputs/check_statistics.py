@@ -41,10 +41,62 @@ if run["outcome"] == "finished":
 for name, unit in statistics["units"].items():
     if not 0 <= unit["utilisation"] <= 1:
         sys.exit(f"utilisation of {name}: {unit['utilisation']}")
-areas = dict(chip["area_mm2"])
-total = areas.pop("total")
-if abs(sum(areas.values()) - total) > 1e-9 * total:
-    sys.exit(f"area: {sum(areas.values())} instead of {total}")
+
+
+def check_near(what, actual, expected):
+    if abs(actual - expected) > 1e-9 * abs(expected):
+        sys.exit(f"{what}: {actual} instead of {expected}")
+
+
+if "area_mm2" in chip:
+    areas = dict(chip["area_mm2"])
+    total = areas.pop("total")
+    check_near("area", sum(areas.values()), total)
+    energy = statistics["energy"]
+    for unit in "joules", "watts":
+        check_near(unit, sum(p[unit] for p in energy["parts"].values()),
+                   energy[unit])
+    check_near("power", energy["watts"] * run["seconds_at_chip_clock"],
+               energy["joules"])
+if "instructions_by_pc" in statistics:
+    pcs = statistics["instructions_by_pc"]
+    check("instructions by pc", sum(p["executed"] for p in pcs),
+          run["instructions"])
+    for reason, total in lost.items():
+        by_pc = sum(p["lost"].get(reason, 0) for p in pcs)
+        check(f"{reason} by pc", by_pc, 0 if reason == "finished" else total)
+    for name, opcode in opcodes.items():
+        check(f"{name} by pc",
+              sum(p["executed"] for p in pcs if p["opcode"] == name),
+              opcode["executed"])
+memory = statistics.get("memory", {})
+for level in memory.keys() & {"l1", "l2"}:
+    cache = memory[level]
+    lookups = cache["loads"]
+    if level == "l2":
+        lookups += cache["fetches"] + cache["atomics"]
+    check(f"{level} requests", cache["hits"] + cache["misses"] + cache["merged"],
+          lookups)
+if "l2" in memory:
+    cache = memory["l2"]
+    check("requests of TMs", sum(cache[kind] for kind in
+                                 ("loads", "stores", "atomics", "fetches"))
+          + memory["sent_by_tms_under_way"], memory["sent_by_tms"])
+if "dram" in memory:
+    dram = memory["dram"]
+    for name, value in dram.items():
+        if isinstance(value, int) and not name.startswith("max_"):
+            check(f"channels' {name}", sum(c[name] for c in dram["channels"]),
+                  value)
+    check("rows", dram["row_hits"] + dram["row_misses"] + dram["row_conflicts"],
+          dram["reads"] + dram["writes"])
+    check("latencies", sum(dram["read_latency_histogram"]),
+          dram["reads"] + dram["forwarded_reads"])
+    sender = "l2s" if "l2" in memory else "tms"
+    check("bursts", sum(dram[kind] for kind in
+                        ("reads", "writes", "forwarded_reads", "merged_writes",
+                         "pending")) + memory[f"sent_by_{sender}_under_way"],
+          memory[f"sent_by_{sender}"])
 if "rays" in threads:
     total_rays = statistics["rays"]["total"] if "rays" in statistics else 0
     check("rays", sum(threads["rays"]), total_rays)
