@@ -1,29 +1,17 @@
-//===- ScoreboardTest.cpp - Engines against the naive model ---------------===//
+//===- ScoreboardTest.cpp - The engine against the naive model ------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===----------------------------------------------------------------------===//
-//
-// TP_ORACLE_PROGRAMS and TP_ORACLE_SEED in the environment give the number of
-// programs of each kind and the first one's seed.
-//
-//===----------------------------------------------------------------------===//
 
-#include "test/unit/oracle/Comparison.h"
+#include "test/unit/oracle/Campaign.h"
 
 #include "gtest/gtest.h"
-
-#include <cstdlib>
 
 using namespace tp;
 using namespace tp::test;
 
 namespace {
-
-uint64_t fromEnvironment(const char *Name, uint64_t Default) {
-  const char *Text = std::getenv(Name);
-  return Text ? std::strtoull(Text, nullptr, 10) : Default;
-}
 
 RunResult runAtOnce(Engine &Simulated, uint64_t MaxCycles) {
   RunLimits Limits;
@@ -31,54 +19,18 @@ RunResult runAtOnce(Engine &Simulated, uint64_t MaxCycles) {
   return Simulated.run(Limits);
 }
 
-/// Counts what the programs did, for the test that nothing is left out.
-struct Coverage {
-  std::array<uint64_t, NumOpcodes> Executed{};
-  std::array<uint64_t, 3> Ends{};
-  uint64_t ProfileValues = 0;
-  uint64_t Markers = 0;
-
-  void add(const RunRecord &Record) {
-    for (unsigned I = 0; I != NumOpcodes; ++I)
-      Executed[I] += Record.Counts.Executed[I];
-    ++Ends[Record.Result.End];
-    for (const auto &Values : Record.ProfileValues)
-      ProfileValues += Values.size();
-    for (uint64_t Count : Record.Counts.Markers)
-      Markers += Count;
+/// With pauses at random cycles, and other numbers of host threads behind them.
+RunResult runInParts(Engine &Simulated, uint64_t MaxCycles) {
+  RandomSource Random(MaxCycles);
+  RunLimits Limits;
+  Limits.MaxCycles = MaxCycles;
+  for (;;) {
+    Limits.PauseCycle += Random.between(1, 300);
+    Simulated.setHostThreads(Random.between(1, 3));
+    RunResult Result = Simulated.run(Limits);
+    if (Result.End != RunResult::Paused)
+      return Result;
   }
-};
-
-void expectEverything(const Coverage &C) {
-  for (unsigned I = 0; I != NumOpcodes; ++I)
-    if (takesTime(Opcode(I)) && Opcode(I) != Opcode::BREAK)
-      EXPECT_NE(C.Executed[I], 0u) << mnemonic(Opcode(I));
-  for (uint64_t Count : C.Ends)
-    EXPECT_NE(Count, 0u);
-  EXPECT_NE(C.ProfileValues, 0u);
-  EXPECT_NE(C.Markers, 0u);
-}
-
-using ChipMaker = ChipConfig (*)(RandomSource &Random);
-
-void checkPrograms(ProgramShape Shape, ChipMaker MakeChip, uint64_t Count,
-                   const EngineRun &Run) {
-  uint64_t First = fromEnvironment("TP_ORACLE_SEED", 1);
-  Count = fromEnvironment("TP_ORACLE_PROGRAMS", Count);
-  Coverage C;
-  for (uint64_t Seed = First; Seed != First + Count; ++Seed) {
-    RandomSource Random(Seed);
-    ChipConfig Chip = MakeChip(Random);
-    RandomProgram Source(Random, Shape, Chip);
-    uint64_t MaxCycles = Random.oneIn(10) ? Random.between(1, 2000) : 20000;
-    RunRecord Model = runModel(Chip, Source, MaxCycles);
-    C.add(Model);
-    std::string Different =
-        differences(Model, runEngine(Chip, Source, MaxCycles, Run));
-    ASSERT_EQ(Different, "") << "TP_ORACLE_SEED=" << Seed;
-  }
-  if (Count >= 1000)
-    expectEverything(C);
 }
 
 TEST(Scoreboard, StraightLinePrograms) {
@@ -95,6 +47,11 @@ TEST(Scoreboard, StraightLineProgramsWithMemorySystem) {
 
 TEST(Scoreboard, BranchesAndLoopsWithMemorySystem) {
   checkPrograms(ProgramShape::Branching, randomMemoryChip, 1000, runAtOnce);
+}
+
+TEST(Scoreboard, RunsInParts) {
+  checkPrograms(ProgramShape::Branching, randomChip, 300, runInParts);
+  checkPrograms(ProgramShape::Branching, randomMemoryChip, 300, runInParts);
 }
 
 } // namespace
