@@ -15,7 +15,7 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::setInitialState(
     std::span<const ArchitecturalState> States) {
   LocalStoreRange Local(Chip.LocalStoreBytes);
-  std::fill(TmNextCycles.begin(), TmNextCycles.end(), NeverCycle);
+  Schedule.clear();
   for (uint32_t I = 0; I != Threads.size(); ++I) {
     const ArchitecturalState &From = States[I];
     Thread &T = Threads[I];
@@ -29,7 +29,7 @@ void WindowEngine<Word, FlushToZero>::setInitialState(
     Waiting += T.State == ThreadState::AtBarrier;
     Halted += T.State == ThreadState::Halted;
     if (T.State == ThreadState::Running) {
-      TmNextCycles[I / Chip.TpsPerTm] = 0;
+      Schedule.wake(I / Chip.TpsPerTm, 0);
     } else {
       NextCycles[I] = NeverCycle;
       T.LastWord = NextWord - 1;
@@ -82,7 +82,7 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
   LocalStores.serialize(A);
   serializeCounters(A);
   A(NextCycles);
-  A(TmNextCycles);
+  A(Schedule);
   A(WindowEnd);
   A(Epoch);
   A(Waiting);

@@ -27,6 +27,11 @@ public:
     std::sort(Waiting.begin(), Waiting.end(), comesBefore);
     auto Next = Waiting.begin();
     for (; Next != Waiting.end(); ++Next) {
+      if (Next->Kind == RequestKind::Fetch && Next->Cycle < Cycle) {
+        Late.push_back(
+            {Next->Cycle + 30, Next->Ticket, Next->Tp, ServedBy::L2});
+        continue;
+      }
       uint64_t Start = std::max(Next->Cycle, FreeFrom);
       if (Start >= Cycle)
         break;

@@ -22,7 +22,8 @@ namespace tp::test {
 /// L2 if n is 1 to 4, from fixed-latency memory if it is 5 to 9, else from
 /// DRAM.
 ///
-/// An L1 serves one request a cycle, in the order (cycle, priority).
+/// An L1 serves one request a cycle, in the order (cycle, priority). Lines of
+/// the text come 30 cycles after the request, past the L1.
 struct ScriptedMemory {
   /// A chip of quietChip() with this memory. \p L1Latency 0: without an L1.
   static ChipConfig chip(uint32_t TmCount, uint32_t TpsPerTm,
