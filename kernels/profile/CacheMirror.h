@@ -71,6 +71,16 @@ public:
   /// What \p S, a part of a leaf, has in memory behind its triangles; kNoRest
   /// if nothing.
   BvhReference restOf(const Slot &S) const;
+  /// All but the shape.
+  template <class Archive> void serialize(Archive &A) {
+    A(Slots);
+    A(Root);
+    A(Used);
+    A(Top);
+    A(ToFree);
+    A(Freed);
+  }
+
   /// The slots from the root to the one that holds the word at \p Word; none
   /// for the root word or a word that is in no slot in use.
   std::vector<uint16_t> pathTo(uint32_t Word) const;

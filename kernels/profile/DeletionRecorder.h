@@ -69,7 +69,32 @@ public:
   /// A visit without a load.
   void visit() { AwaitsPath = false; }
 
+  /// \p Shape is that of the thread's cache, if it has one.
+  template <class Archive> void serialize(Archive &A, const CacheShape &Shape) {
+    A(Countdown);
+    A(AwaitsPath);
+    serialize(A, Shape, Partial);
+    serialize(A, Shape, Complete);
+  }
+
 private:
+  template <class Archive>
+  static void serialize(Archive &A, const CacheShape &Shape,
+                        std::optional<DeletionRecord> &Record) {
+    bool Present = Record.has_value();
+    A(Present);
+    if (!Present)
+      return Record.reset();
+    if (!Record)
+      Record.emplace(
+          DeletionRecord{CacheMirror(Shape), CacheMirror(Shape), 0, {}, {}});
+    A(Record->Before);
+    A(Record->After);
+    A(Record->Ray);
+    A(Record->Freed);
+    A(Record->Path);
+  }
+
   uint64_t Countdown;
   std::optional<DeletionRecord> Partial;
   std::optional<DeletionRecord> Complete;

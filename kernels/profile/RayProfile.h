@@ -55,6 +55,22 @@ struct CacheProfile {
   std::array<uint64_t, 16> DeletionsBySlotsFreed{};
   /// The most that one thread had at a time.
   uint32_t PeakSlotsUsed = 0;
+
+  /// Saves or restores (simulator/core/Archive.h); so below.
+  template <class Archive> void serialize(Archive &A) {
+    A(Shape);
+    A(Visits);
+    A(Hits);
+    A(Loads);
+    A(Bypasses);
+    A(HitsByDepth);
+    A(LoadsByDepth);
+    A(Deletions);
+    A(SlotsFreed);
+    A(MaxSlotsFreed);
+    A(DeletionsBySlotsFreed);
+    A(PeakSlotsUsed);
+  }
 };
 
 /// What the rays of some threads did.
@@ -71,6 +87,16 @@ struct RayProfile {
   std::optional<CacheProfile> Cache;
 
   uint64_t rays() const { return ClosestHitRays + AnyHitRays; }
+
+  template <class Archive> void serialize(Archive &A) {
+    A(ClosestHitRays);
+    A(AnyHitRays);
+    A(NodesVisited);
+    A(TrianglesVisited);
+    A(NodesFromMemory);
+    A(TrianglesFromMemory);
+    A(Cache);
+  }
 
   /// Adds another thread's. The shapes of the caches must be equal.
   void add(const RayProfile &Other);

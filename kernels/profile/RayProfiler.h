@@ -29,6 +29,12 @@ public:
   /// deletion.
   ErrorOr<const DeletionRecord *> recordedDeletion() const;
 
+  /// What was to be recorded must have been said before.
+  template <class Archive> void serialize(Archive &A) {
+    for (PaddedThread &Thread : Threads)
+      Thread.serialize(A);
+  }
+
   /// By thread, after the run.
   std::vector<RayProfile> threads() const;
   /// Fails if the events of a thread contradict each other, or the caches of

@@ -35,6 +35,32 @@ public:
   /// Null if no deletion is to be recorded.
   const DeletionRecorder *recorder() const { return Recorder.get(); }
 
+  /// A recorder, or none, must have been set before.
+  template <class Archive> void serialize(Archive &A) {
+    A(Counts);
+    A(NodesVisited);
+    A(TrianglesVisited);
+    A(NodesFromMemory);
+    A(TrianglesFromMemory);
+    A(Shape);
+    bool HasMirror = Mirror.has_value();
+    A(HasMirror);
+    if (!HasMirror)
+      Mirror.reset();
+    else if (!Mirror)
+      Mirror.emplace(Shape);
+    if (Mirror)
+      A(*Mirror);
+    A(LoadFrom);
+    A(LoadParent);
+    A(AwaitingRay);
+    A(Last);
+    A(EventNumber);
+    A(Error);
+    if (Recorder)
+      Recorder->serialize(A, Shape);
+  }
+
 private:
   /// A PerRayCount in the making.
   struct Counter {

@@ -106,6 +106,12 @@ RunResult Engine::run(const RunLimits &Limits) {
 
 uint64_t Engine::cycles() const { return Implementation->cycles(); }
 
+Progress Engine::progress() const { return Implementation->progress(); }
+
+uint64_t Engine::passes(uint32_t Marker) const {
+  return Implementation->passes(Marker);
+}
+
 Statistics Engine::statistics() const { return Implementation->statistics(); }
 
 void Engine::serialize(Archive &A) { Implementation->serialize(A); }

@@ -121,6 +121,9 @@ public:
 
   /// Cycles simulated so far.
   uint64_t cycles() const;
+  Progress progress() const;
+  /// How often threads have passed a profile marker.
+  uint64_t passes(uint32_t Marker) const;
   /// The counts up to the end of the last run().
   Statistics statistics() const;
 

@@ -30,6 +30,8 @@ public:
   virtual void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) = 0;
   virtual RunResult run(const RunLimits &Limits) = 0;
   virtual uint64_t cycles() const = 0;
+  virtual Progress progress() const = 0;
+  virtual uint64_t passes(uint32_t Marker) const = 0;
   virtual Statistics statistics() const = 0;
   virtual void serialize(Archive &A) = 0;
   virtual const Thread &thread(uint32_t Number) const = 0;

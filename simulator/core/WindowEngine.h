@@ -48,6 +48,10 @@ public:
   void setInitialState(std::span<const ArchitecturalState> States) override;
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
+  Progress progress() const override;
+  uint64_t passes(uint32_t Marker) const override {
+    return countPasses({&Marker, 1});
+  }
   Statistics statistics() const override;
   void serialize(Archive &A) override;
   const Thread &thread(uint32_t Number) const override {
@@ -83,7 +87,6 @@ private:
   uint64_t pauseCycle(const RunLimits &Limits) const;
   /// Passes of these markers so far.
   uint64_t countPasses(std::span<const uint32_t> Markers) const;
-  Progress progress() const;
   /// Puts new generated code into the slots.
   void updateCode();
   /// Adds what generated code has counted to the other counts.

@@ -120,6 +120,18 @@ struct MemoryStatistics {
   std::optional<CrossbarStatistics> Crossbar;
   /// One per channel; empty without DRAM.
   std::vector<DramChannelStatistics> DramChannels;
+
+  /// Saves or restores (core/Archive.h).
+  template <class Archive> void serialize(Archive &A) {
+    A(SentByTms);
+    A(SentByTmsUnderWay);
+    A(SentByL2s);
+    A(SentByL2sUnderWay);
+    A(L1);
+    A(L2);
+    A(Crossbar);
+    A(DramChannels);
+  }
 };
 
 } // namespace tp

@@ -76,6 +76,9 @@ Expected<std::optional<int>> fastForward(const Options &Request,
     return exitStatus(Result);
   }
   Machine.setInitialState(Beginning.threads());
+  if (Loaded.Source)
+    Loaded.RaysBefore =
+        readRayCounts(Loaded.Block, Loaded.ThreadCount, Loaded.Launch);
   return std::nullopt;
 }
 

@@ -41,7 +41,7 @@ IntervalTask::~IntervalTask() {
   File->clear_error();
 }
 
-llvm::Error IntervalTask::pause(Engine &Machine) {
+llvm::Error IntervalTask::pause(Engine &Machine, RunResult::EndKind) {
   if (Machine.cycles() < NextEnd)
     return llvm::Error::success();
   return writeInterval(Machine);

@@ -32,7 +32,7 @@ public:
   ~IntervalTask() override;
 
   uint64_t nextPause() const override { return NextEnd; }
-  llvm::Error pause(Engine &Machine) override;
+  llvm::Error pause(Engine &Machine, RunResult::EndKind Now) override;
 
   /// Writes the rest of the run, which has ended.
   llvm::Error finish(const Engine &Machine);

@@ -169,8 +169,6 @@ private:
     for (OptionId Id : {OPT_fast_forward, OPT_regions, OPT_checkpoint,
                         OPT_restore, OPT_max_cycles})
       exclude(OPT_functional, Id, "the functional mode has no cycles");
-    exclude(OPT_fast_forward, OPT_restore,
-            "the saved run has its beginning behind it");
   }
 
   void readCacheTrace(Options &Result) {

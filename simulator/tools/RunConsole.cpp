@@ -9,6 +9,7 @@
 #include "llvm/Support/raw_ostream.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace llvm;
 
@@ -23,6 +24,20 @@ void RunConsole::write(int Fd, std::string_view Bytes) {
   OS << Bytes;
   if (OS.is_displayed())
     OS.flush();
+  if (Request.CheckpointOutput.empty())
+    return;
+  if (Written.empty() || Written.back().Fd != Fd)
+    Written.push_back({Fd, {}});
+  Written.back().Bytes += Bytes;
+}
+
+void RunConsole::serialize(Archive &A) {
+  A(Written);
+  if (!A.isRestoring())
+    return;
+  std::vector<Piece> Restored = std::exchange(Written, {});
+  for (const Piece &Old : Restored)
+    write(Old.Fd, Old.Bytes);
 }
 
 std::optional<double> RunConsole::shareDone(const Progress &Now) const {

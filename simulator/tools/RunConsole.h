@@ -10,6 +10,9 @@
 #include "simulator/tools/ProgressLine.h"
 #include "simulator/tools/RunSetup.h"
 
+#include <string>
+#include <vector>
+
 namespace tp {
 
 /// The program's output and the progress line of a run.
@@ -21,6 +24,9 @@ public:
   /// Passes the program's output on, so that nothing else is on standard
   /// output.
   void write(int Fd, std::string_view Bytes);
+  /// The output so far, if it is to be saved in checkpoints; restored, it is
+  /// written again.
+  void serialize(Archive &A);
   /// Shows how far the run is.
   void report(const Progress &Now);
   /// The run goes on from \p Now, so that speed and time left count from here.
@@ -36,6 +42,17 @@ private:
   const Options &Request;
   const RunSetup &Loaded;
   ProgressLine Line;
+  /// What was written to each file descriptor, in order.
+  struct Piece {
+    int32_t Fd = 1;
+    std::string Bytes;
+
+    void serialize(Archive &A) {
+      A(Fd);
+      A(Bytes);
+    }
+  };
+  std::vector<Piece> Written;
 };
 
 } // namespace tp

@@ -23,18 +23,26 @@ static uint64_t firstPause(ArrayRef<RunTask *> Tasks) {
   return First;
 }
 
+static llvm::Error pauseAll(ArrayRef<RunTask *> Tasks, Engine &Machine,
+                            RunResult::EndKind Now) {
+  for (RunTask *Task : Tasks)
+    if (llvm::Error E = Task->pause(Machine, Now))
+      return E;
+  return llvm::Error::success();
+}
+
 Expected<RunResult> runToEnd(Engine &Machine, RunLimits Limits,
                              ArrayRef<RunTask *> Tasks) {
   for (const RunTask *Task : Tasks)
     append_range(Limits.PauseMarkers, Task->markers());
-  for (;;) {
-    Limits.PauseCycle = firstPause(Tasks);
-    RunResult Result = Machine.run(Limits);
-    for (RunTask *Task : Tasks)
-      if (llvm::Error E = Task->pause(Machine))
-        return E;
+  RunResult Result{RunResult::Paused, 0, std::nullopt};
+  while (true) {
+    if (llvm::Error E = pauseAll(Tasks, Machine, Result.End))
+      return E;
     if (Result.End != RunResult::Paused)
       return Result;
+    Limits.PauseCycle = firstPause(Tasks);
+    Result = Machine.run(Limits);
   }
 }
 

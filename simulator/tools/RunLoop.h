@@ -29,7 +29,11 @@ public:
   virtual std::vector<uint32_t> markers() const { return {}; }
   /// The run stands between two windows: in each pause, also in those of other
   /// tasks, and when it has ended, however that was.
-  virtual llvm::Error pause(Engine &Machine) = 0;
+  /// \p Now is Paused or how it has ended. Also once before the first cycle of
+  /// a run, which may be a restored one.
+  virtual llvm::Error pause(Engine &Machine, RunResult::EndKind Now) = 0;
+  /// What a checkpoint must hold of it.
+  virtual void serialize(Archive &) {}
 };
 
 /// Runs \p Machine within \p Limits, which say nothing of pauses, and does the

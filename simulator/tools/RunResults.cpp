@@ -60,6 +60,8 @@ RunSummary summaryOf(const RunResult &Result, const Options &Request,
     return Run;
   const RenderOptions &Image = Request.Rendering;
   Run.Rays = readRayCounts(Loaded.Block, Chip.threadCount(), Loaded.Launch);
+  for (size_t I = 0; I != Loaded.RaysBefore.size(); ++I)
+    Run.Rays[I] -= Loaded.RaysBefore[I];
   Run.Image = ImageSettings{Image.Width, Image.Height, Image.SamplesPerPixel,
                             Image.MaxDepth, Image.Seed};
   return Run;

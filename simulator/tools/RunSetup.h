@@ -32,6 +32,9 @@ struct RunSetup {
   LaunchBlock Block = {};
   uint32_t ThreadCount = 0;
   std::vector<MemoryDump> Dumps;
+  /// Rays by thread in the part of the run that has no timing; empty if there
+  /// is none.
+  std::vector<uint32_t> RaysBefore;
   /// Who interprets the run's ray events; null if the user will not see what
   /// they say.
   std::unique_ptr<RayProfiler> Rays;

@@ -10,9 +10,11 @@
 #include "simulator/stats/JsonReport.h"
 #include "simulator/stats/SumCheck.h"
 #include "simulator/stats/TableReport.h"
+#include "simulator/tools/CheckpointTask.h"
 #include "simulator/tools/FunctionalRun.h"
 #include "simulator/tools/Interrupt.h"
 #include "simulator/tools/IntervalTask.h"
+#include "simulator/tools/RegionTask.h"
 #include "simulator/tools/RunLoop.h"
 #include "simulator/tools/RunResults.h"
 
@@ -29,44 +31,88 @@ void reportError(llvm::Error E) {
     WithColor::error(errs(), "tpsim") << Line << '\n';
 }
 
-/// Runs \p Machine to its end and reports.
-static Expected<int> runInCycles(const Options &Request, const ChipConfig &Chip,
-                                 RunSetup &Loaded, RunConsole &Console,
-                                 Engine &Machine) {
-  RunLimits Limits;
-  Limits.MaxCycles = Request.MaxCycles;
-  Limits.Stop = &stopOnInterrupt();
-  Limits.Report = [&](const Progress &Now) { Console.report(Now); };
-  SmallVector<RunTask *> Tasks;
+/// What is to be done in the pauses of a run.
+struct RunTasks {
+  std::unique_ptr<CheckpointTask> Checkpoints;
+  std::unique_ptr<RegionTask> Regions;
   std::unique_ptr<IntervalTask> Intervals;
-  if (Request.Interval != 0) {
-    if (llvm::Error E =
-            IntervalTask::start(Request, Chip, Loaded.opcodes(), Machine)
-                .moveInto(Intervals))
-      return E;
-    Tasks.push_back(Intervals.get());
-  }
-  Expected<RunResult> Result = runToEnd(Machine, Limits, Tasks);
-  HostSpeed Speed{Console.finish(), Request.HostThreads};
-  if (!Result)
-    return Result.takeError();
 
+  SmallVector<RunTask *> all() const {
+    SmallVector<RunTask *> Tasks;
+    for (RunTask *Task : std::initializer_list<RunTask *>{
+             Checkpoints.get(), Regions.get(), Intervals.get()})
+      if (Task)
+        Tasks.push_back(Task);
+    return Tasks;
+  }
+};
+
+/// Those that must exist before anything has run.
+static RunTasks makeTasks(const Options &Request, const ChipConfig &Chip,
+                          RunSetup &Loaded, RunConsole &Console) {
+  RunTasks Tasks;
+  if (Request.Regions)
+    Tasks.Regions = std::make_unique<RegionTask>(Request, Loaded);
+  if (!Request.CheckpointOutput.empty() || !Request.RestoreInput.empty()) {
+    std::vector<RunTask *> Others;
+    append_range(Others, Tasks.all());
+    Tasks.Checkpoints = std::make_unique<CheckpointTask>(
+        Request, Chip, Loaded, Console, std::move(Others));
+  }
+  return Tasks;
+}
+
+/// Writes the results of a run that has ended.
+static Expected<int> report(const RunResult &Result, const Options &Request,
+                            const ChipConfig &Chip, RunSetup &Loaded,
+                            const RunTasks &Tasks, const HostSpeed &Speed,
+                            const Engine &Machine) {
+  llvm::Error Failures = llvm::Error::success();
+  auto Note = [&Failures](llvm::Error E) {
+    Failures = joinErrors(std::move(Failures), std::move(E));
+  };
   Statistics Stats = Machine.statistics();
-  RunSummary Run = summaryOf(*Result, Request, Loaded, Chip, Stats);
-  llvm::Error Failures = writeResults(Run, Request, Loaded, writeJson);
-  if (Intervals)
-    Failures = joinErrors(std::move(Failures), Intervals->finish(Machine));
-  Failures =
-      joinErrors(std::move(Failures), checkSums(Chip, Stats, Run.Opcodes));
+  RunSummary Run = summaryOf(Result, Request, Loaded, Chip, Stats);
+  if (Tasks.Regions) {
+    if (llvm::Error E = Tasks.Regions->statistics(Machine).moveInto(Stats))
+      Note(std::move(E));
+    Run.Rays = Tasks.Regions->rays();
+  }
+  Note(writeResults(Run, Request, Loaded, writeJson));
+  if (Tasks.Intervals)
+    Note(Tasks.Intervals->finish(Machine));
+  Note(checkSums(Chip, Stats, Run.Opcodes));
   if (!Request.Quiet)
     writeTable(Run, Speed, errs());
-  explainEnd(*Result, Request, Chip, Loaded.Elf, TrapClock::Cycles,
+  explainEnd(Result, Request, Chip, Loaded.Elf, TrapClock::Cycles,
              [&](unsigned Register) {
-               return Machine.registerOf(Result->TrapInfo->Thread, Register);
+               return Machine.registerOf(Result.TrapInfo->Thread, Register);
              });
   if (Failures)
     return Failures;
   return Run.ExitStatus;
+}
+
+/// Runs \p Machine to its end and reports.
+static Expected<int> runInCycles(const Options &Request, const ChipConfig &Chip,
+                                 RunSetup &Loaded, RunConsole &Console,
+                                 RunTasks &Tasks, Engine &Machine) {
+  RunLimits Limits;
+  Limits.MaxCycles = Request.MaxCycles;
+  Limits.Stop = &stopOnInterrupt();
+  Limits.Report = [&](const Progress &Now) { Console.report(Now); };
+  if (Request.Interval != 0)
+    if (llvm::Error E =
+            IntervalTask::start(Request, Chip, Loaded.opcodes(), Machine)
+                .moveInto(Tasks.Intervals))
+      return E;
+  uint64_t Before = Machine.progress().Instructions;
+  Expected<RunResult> Result = runToEnd(Machine, Limits, Tasks.all());
+  HostSpeed Speed{Console.finish(), Request.HostThreads,
+                  Machine.progress().Instructions - Before};
+  if (!Result)
+    return Result.takeError();
+  return report(*Result, Request, Chip, Loaded, Tasks, Speed, Machine);
 }
 
 Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
@@ -85,7 +131,11 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   Machine.setOutput(
       [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
-  if (Request.FastForward) {
+  RunTasks Tasks = makeTasks(Request, Chip, Loaded, Console);
+  if (!Request.RestoreInput.empty()) {
+    if (llvm::Error E = Tasks.Checkpoints->restore(Machine))
+      return E;
+  } else if (Request.FastForward) {
     Expected<std::optional<int>> End =
         fastForward(Request, Chip, Loaded, Console, Machine);
     if (!End)
@@ -93,7 +143,7 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
     if (*End)
       return **End;
   }
-  return runInCycles(Request, Chip, Loaded, Console, Machine);
+  return runInCycles(Request, Chip, Loaded, Console, Tasks, Machine);
 }
 
 } // namespace tp
