@@ -25,15 +25,15 @@ RunResult runGenerated(Engine &Simulated, uint64_t MaxCycles) {
 }
 
 TEST(GeneratedCode, StraightLinePrograms) {
-  checkPrograms(ProgramShape::StraightLine, randomChip, 40, runGenerated);
+  checkPrograms(ProgramShape::StraightLine, randomChip, 30, runGenerated);
 }
 
 TEST(GeneratedCode, ProgramsWithBranchesAndLoops) {
-  checkPrograms(ProgramShape::Branching, randomChip, 40, runGenerated);
+  checkPrograms(ProgramShape::Branching, randomChip, 30, runGenerated);
 }
 
 TEST(GeneratedCode, ProgramsWithMemorySystem) {
-  checkPrograms(ProgramShape::Branching, randomMemoryChip, 20, runGenerated);
+  checkPrograms(ProgramShape::Branching, randomMemoryChip, 15, runGenerated);
 }
 
 } // namespace

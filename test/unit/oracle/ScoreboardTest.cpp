@@ -50,8 +50,8 @@ TEST(Scoreboard, BranchesAndLoopsWithMemorySystem) {
 }
 
 TEST(Scoreboard, RunsInParts) {
-  checkPrograms(ProgramShape::Branching, randomChip, 300, runInParts);
-  checkPrograms(ProgramShape::Branching, randomMemoryChip, 300, runInParts);
+  checkPrograms(ProgramShape::Branching, randomChip, 150, runInParts);
+  checkPrograms(ProgramShape::Branching, randomMemoryChip, 150, runInParts);
 }
 
 } // namespace
