@@ -15,9 +15,6 @@
 
 namespace tp {
 
-/// Runs the same job on several host threads again and again, each time until
-/// all are done. Made for jobs of microseconds: waiting threads spin for a
-/// moment before they sleep.
 class HostThreadPool {
 public:
   /// Gets the number of the host thread, 0 for the caller of run().
@@ -27,18 +24,28 @@ public:
   ~HostThreadPool();
 
   unsigned size() const { return unsigned(Helpers.size()) + 1; }
-  /// Runs the job once on all threads.
+  /// Runs the job on this thread, and on those others that are there before
+  /// it has ended here: jobs share out work until none is left.
   void run(const Job &ToDo);
 
 private:
   void help(unsigned Number);
+  /// Whether the calling helper may take part in job \p Number.
+  bool enter(uint32_t Number);
+  /// Waits until there is another job than \p Seen, and gives its number.
+  uint32_t awaitJob(uint32_t Seen);
+
+  /// Fields of State: the number of the job, whether helpers may still enter
+  /// it, and how many are in it.
+  static constexpr unsigned NumberShift = 16;
+  static constexpr uint32_t Open = 1 << (NumberShift - 1);
+  static constexpr uint32_t ActiveMask = Open - 1;
 
   const Job *Current = nullptr;
-  /// Number of jobs started.
-  std::atomic<uint32_t> Started = 0;
-  /// Helpers that have not finished the current job.
-  std::atomic<uint32_t> Busy = 0;
+  std::atomic<uint32_t> State = 0;
   std::atomic<bool> Ending = false;
+  /// How often to look before sleeping.
+  unsigned Patience;
   std::vector<std::thread> Helpers;
 };
 

@@ -21,6 +21,7 @@
 #include "simulator/core/HostThreadPool.h"
 #include "simulator/core/TmTurn.h"
 #include "simulator/core/WindowCommit.h"
+#include "simulator/core/WindowSchedule.h"
 
 #include <algorithm>
 #include <chrono>
@@ -73,6 +74,9 @@ private:
   /// before \p Limit.
   bool enterWindow(uint64_t Limit);
   void moveEpoch();
+  void runWindow();
+  /// On all host threads if the window is worth that.
+  void share(const HostThreadPool::Job &Job);
   /// The part of a window that a host thread does.
   void runTms(Runner &R);
   uint64_t runTm(Runner &R, uint32_t Tm);
@@ -104,10 +108,12 @@ private:
   /// Of the text, without the slot behind it.
   std::vector<Opcode> Opcodes;
   std::vector<Thread> Threads;
-  /// Of each thread the first cycle in which it may issue, and of each TM the
-  /// least of them.
+  /// Of each thread the first cycle in which it may issue.
   std::vector<uint64_t> NextCycles;
-  std::vector<uint64_t> TmNextCycles;
+  WindowSchedule Schedule;
+  /// Of each TM that has had its turn in the window, the first cycle in which
+  /// it has something to do again.
+  std::vector<uint64_t> TurnEnds;
 
   /// One per TM, the line of each word, and the handlers of fetched
   /// instructions; empty if instruction caches never miss.
@@ -126,7 +132,14 @@ private:
   std::optional<HostThreadPool> Pool;
   /// The resource words of the window's cycles before anything has issued.
   std::vector<Word> InitialFree;
-  std::atomic<uint32_t> NextTm = 0;
+  /// The first TM of Schedule.due() that nobody has taken.
+  std::atomic<size_t> NextDue = 0;
+  /// Whether this window is worth waking other host threads for: it looks like
+  /// the last one, which took LastWork of host time.
+  static constexpr std::chrono::nanoseconds WorthSharing =
+      std::chrono::microseconds(10);
+  bool IsShared = false;
+  std::chrono::nanoseconds LastWork = 2 * WorthSharing;
 
   uint64_t WindowStart = 0;
   uint64_t WindowEnd = 0;
@@ -151,7 +164,8 @@ WindowEngine<Word, FlushToZero>::WindowEngine(
       LocalStores(Chip.threadCount() * localStoreStride(Chip)),
       Slots(decodeText<Word, FlushToZero>(Text, Chip, Layout)),
       Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
-      TmNextCycles(Chip.TmCount), Hierarchy(std::move(Hierarchy)) {
+      Schedule(Chip.TmCount, Chip.ArbitrationWindow), TurnEnds(Chip.TmCount),
+      Hierarchy(std::move(Hierarchy)) {
   for (const Instruction &Decoded : Text.instructions())
     Opcodes.push_back(Decoded.Op);
   Context.Chip = &this->Chip;
@@ -232,7 +246,7 @@ void WindowEngine<Word, FlushToZero>::prepareFree() {
 
 template <class Word, bool FlushToZero>
 bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t Limit) {
-  uint64_t Next = *std::min_element(TmNextCycles.begin(), TmNextCycles.end());
+  uint64_t Next = Schedule.first();
   if (Hierarchy)
     Next = std::min(Next, Hierarchy->nextEvent());
   uint64_t Window = Next / Chip.ArbitrationWindow;
@@ -246,7 +260,6 @@ bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t Limit) {
   if (WindowStart - Epoch > ready::CycleLimit / 2)
     moveEpoch();
   prepareFree();
-  NextTm.store(0, std::memory_order_relaxed);
   return true;
 }
 
@@ -255,9 +268,10 @@ void WindowEngine<Word, FlushToZero>::moveEpoch() {
   uint64_t Past = WindowStart - Epoch;
   for (Thread &T : Threads)
     for (ReadyWord &Ready : T.Ready)
-      Ready = ready::cycleOf(Ready) < Past
-                  ? 0
-                  : Ready - ReadyWord(Past << ready::CycleShift);
+      if (!ready::isPending(Ready))
+        Ready = ready::cycleOf(Ready) < Past
+                    ? 0
+                    : Ready - ReadyWord(Past << ready::CycleShift);
   Epoch = WindowStart;
 }
 
@@ -268,19 +282,37 @@ void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
   R.End = R.Limit = WindowEnd - Epoch;
   // Neighbouring TMs go to the same host thread, as few atomic operations as
   // still balance the load.
-  uint32_t Share =
-      Pool->size() == 1
-          ? Chip.TmCount
-          : std::max<uint32_t>(1, Chip.TmCount / uint32_t(Pool->size() * 8));
+  const std::vector<uint32_t> &Due = Schedule.due();
+  size_t Share = std::max<size_t>(1, Due.size() / (Pool->size() * 8));
   for (;;) {
-    uint32_t Begin = NextTm.fetch_add(Share, std::memory_order_relaxed);
-    if (Begin >= Chip.TmCount)
+    size_t Begin = NextDue.fetch_add(Share, std::memory_order_relaxed);
+    if (Begin >= Due.size())
       return;
-    uint32_t End = std::min(Begin + Share, Chip.TmCount);
-    for (uint32_t Tm = Begin; Tm != End; ++Tm)
-      if (TmNextCycles[Tm] < WindowEnd)
-        TmNextCycles[Tm] = runTm(R, Tm);
+    for (size_t I = Begin; I != std::min(Begin + Share, Due.size()); ++I)
+      TurnEnds[Due[I]] = runTm(R, Due[I]);
   }
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::runWindow() {
+  using Clock = std::chrono::steady_clock;
+  const std::vector<uint32_t> &Due = Schedule.take(WindowEnd);
+  NextDue.store(0, std::memory_order_relaxed);
+  IsShared = Due.size() > 1 && LastWork > WorthSharing;
+  auto Start = Clock::now();
+  share([this](unsigned I) { runTms(*Runners[I]); });
+  LastWork = (Clock::now() - Start) * (IsShared ? Pool->size() : 1);
+  for (uint32_t Tm : Due)
+    Schedule.wake(Tm, TurnEnds[Tm]);
+  finishWindow();
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::share(const HostThreadPool::Job &Job) {
+  if (IsShared)
+    Pool->run(Job);
+  else
+    Job(0);
 }
 
 template <class Word, bool FlushToZero>
@@ -327,13 +359,13 @@ void WindowEngine<Word, FlushToZero>::runMemory() {
       }
     };
     if (Parts > 1)
-      Pool->run(RunParts);
+      share(RunParts);
     else
       RunParts(0);
   }
   for (uint32_t Tm = 0; Tm != Chip.TmCount; ++Tm)
-    if (TmNextCycles[Tm] > WindowEnd && Hierarchy->tm(Tm).hasAnswers())
-      TmNextCycles[Tm] = WindowEnd;
+    if (Hierarchy->tm(Tm).hasAnswers())
+      Schedule.wake(Tm, WindowEnd);
 }
 
 template <class Word, bool FlushToZero>
@@ -356,7 +388,7 @@ void WindowEngine<Word, FlushToZero>::releaseBarrier() {
     T.State = ThreadState::Running;
     Runners[0]->charge(T, T.LastWord, Loss::Barrier, WindowEnd - T.EndCycle);
     NextCycles[T.Number] = WindowEnd;
-    TmNextCycles[T.Number / Chip.TpsPerTm] = WindowEnd;
+    Schedule.wake(T.Number / Chip.TpsPerTm, WindowEnd);
   }
   Waiting = 0;
 }
@@ -469,8 +501,7 @@ RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
       continue;
     if (Generator)
       updateCode();
-    Pool->run([this](unsigned I) { runTms(*Runners[I]); });
-    finishWindow();
+    runWindow();
   }
   return *Final;
 }
