@@ -55,6 +55,7 @@ struct AccessBefore {
 class AccessPool {
 public:
   Access &operator[](uint32_t Index) { return Accesses[Index]; }
+  const Access &operator[](uint32_t Index) const { return Accesses[Index]; }
 
   uint32_t add(const Access &A) {
     if (FirstFree == NoIndex) {

@@ -39,7 +39,7 @@ void Cache::arrive(uint32_t Register, uint64_t Cycle, ServedBy From) {
   std::push_heap(Fills.begin(), Fills.end(), later);
 }
 
-uint64_t Cache::queueLength() {
+uint64_t Cache::queueLength() const {
   uint64_t Length = 0;
   for (const AccessList &Bank : Banks)
     for (uint32_t I = Bank.First; I != NoIndex; I = Pool[I].Next)

@@ -101,7 +101,7 @@ public:
   }
 
   /// Accesses that wait for their bank.
-  uint64_t queueLength();
+  uint64_t queueLength() const;
 
   const CacheStatistics &statistics() const { return Counts; }
   void serialize(Archive &A);

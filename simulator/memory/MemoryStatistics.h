@@ -108,6 +108,8 @@ struct DramChannelStatistics {
 /// are counted in the units of the receiver: what lies in one sector of the L2
 /// or in one burst of DRAM.
 struct MemoryStatistics {
+  /// Made by TPs, and not yet served by their L1's bank.
+  uint64_t WaitingAtL1 = 0;
   /// Sent by all TMs if there is an L2 or DRAM, and of these, still in front of
   /// an L2's bank or the DRAM controllers.
   uint64_t SentByTms = 0;
@@ -123,6 +125,7 @@ struct MemoryStatistics {
 
   /// Saves or restores (core/Archive.h).
   template <class Archive> void serialize(Archive &A) {
+    A(WaitingAtL1);
     A(SentByTms);
     A(SentByTmsUnderWay);
     A(SentByL2s);

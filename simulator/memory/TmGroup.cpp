@@ -138,7 +138,7 @@ void TmGroup::receive(const BurstAnswer &Answer) {
     answer(Answer.Tag, A.Cycle, ServedBy::Dram);
 }
 
-void TmGroup::addTo(MemoryStatistics &Sum) {
+void TmGroup::addTo(MemoryStatistics &Sum) const {
   if (!L2) {
     Sum.SentByTms += Sent;
     return;

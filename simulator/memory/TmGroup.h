@@ -50,7 +50,7 @@ public:
   uint64_t nextReturn() const { return NextReturn; }
 
   /// Adds up what was counted.
-  void addTo(MemoryStatistics &Sum);
+  void addTo(MemoryStatistics &Sum) const;
   void serialize(Archive &A);
 
   /// @{ What the L2 sees as its arrivals.

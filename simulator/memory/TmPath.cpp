@@ -174,8 +174,10 @@ void TmPath::receive(uint32_t Tag, uint64_t Cycle, ServedBy Level) {
 }
 
 void TmPath::addTo(MemoryStatistics &Sum) const {
-  if (L1)
+  if (L1) {
     *Sum.L1 += L1->statistics();
+    Sum.WaitingAtL1 += L1->queueLength();
+  }
   Sum.SentByTms += Sent;
   Sum.SentByTmsUnderWay += Outgoing.size();
   if (!RequestPort)

@@ -90,6 +90,7 @@ inline constexpr MemoryCount<DramChannelStatistics> DramCounts[] = {
 
 /// Between the levels, in units of the level that receives them.
 inline constexpr MemoryCount<MemoryStatistics> FlowCounts[] = {
+    {"waiting_at_l1", &MemoryStatistics::WaitingAtL1, CountKind::Level},
     {"sent_by_tms", &MemoryStatistics::SentByTms},
     {"sent_by_tms_under_way", &MemoryStatistics::SentByTmsUnderWay,
      CountKind::Level},
