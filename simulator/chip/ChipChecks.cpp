@@ -94,6 +94,10 @@ private:
     if (Dram.RowBytes % Dram.BurstBytes)
       badValue("memory.dram.row_bytes", Dram.RowBytes,
                "a multiple of burst_bytes, which is " + Twine(Dram.BurstBytes));
+    if (Dram.BankGroups * Dram.BanksPerGroup > MaxDramBanks)
+      badValue("memory.dram.banks_per_group", Dram.BanksPerGroup,
+               "at most " + Twine(MaxDramBanks / Dram.BankGroups) + " with " +
+                   Twine(Dram.BankGroups) + " bank groups");
     if (Dram.WriteHighMark > Dram.WriteQueueEntries)
       badValue("memory.dram.queue.write_high_mark", Dram.WriteHighMark,
                "at most write_entries, which is " +

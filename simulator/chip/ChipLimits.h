@@ -37,6 +37,8 @@ inline constexpr uint32_t MaxCacheBanks = 64;
 inline constexpr uint32_t MaxMissRegisters = 65535;
 inline constexpr uint32_t MaxPortBytes = 1024;
 inline constexpr uint32_t MaxDramChannels = 256;
+/// Of a channel: its controller has a bit for each.
+inline constexpr uint32_t MaxDramBanks = 64;
 inline constexpr uint32_t MaxDramTicks = 1u << 20;
 inline constexpr uint32_t MaxDramQueue = 4096;
 

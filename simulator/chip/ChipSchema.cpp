@@ -177,8 +177,10 @@ private:
                     {1000, 100'000'000});
           V.integer({"channels", "independent (pseudo) channels"},
                     Dram.Channels, {1, MaxDramChannels});
-          V.integer({"bank_groups", "of a channel"}, Dram.BankGroups, {1, 64});
-          V.integer({"banks_per_group", "banks"}, Dram.BanksPerGroup, {1, 64});
+          V.integer({"bank_groups", "of a channel"}, Dram.BankGroups,
+                    {1, MaxDramBanks});
+          V.integer({"banks_per_group", "banks"}, Dram.BanksPerGroup,
+                    {1, MaxDramBanks});
           V.integer({"rows_per_bank", "rows"}, Dram.RowsPerBank, {1, 1 << 24});
           V.integer({"row_bytes", "bytes of a row"}, Dram.RowBytes,
                     {1, 1 << 20, 1, false, true});

@@ -151,6 +151,9 @@ TEST(ChipMemory, RefusesWhatDoesNotFitTogether) {
       {"rows_per_bank: 8192", "rows_per_bank: 1024",
        "'memory.bytes' is 67108864; give it at most what the DRAM holds, which "
        "is 33554432"},
+      {"banks_per_group: 2", "banks_per_group: 17",
+       "'memory.dram.banks_per_group' is 17; give it at most 16 with 4 bank "
+       "groups"},
       {"ccd_short: 2", "ccd_short: 1", "at least burst_ticks, which is 2"},
       {"rrd_long: 4", "rrd_long: 2", "at least rrd_short, which is 3"},
       {"ras: 26", "ras: 10", "at least rcd_read, which is 11"},
