@@ -68,7 +68,7 @@ ReadyWord TmRunnerState::requestLoad(Thread &T, uint8_t Destination, Opcode Op,
                                      uint64_t Cycle, uint32_t Address,
                                      unsigned Bytes) {
   uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, false);
-  Memory->request(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket));
+  ask(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket));
   return ready::pending(Op);
 }
 
@@ -76,7 +76,7 @@ ReadyWord TmRunnerState::requestAtomic(Thread &T, uint8_t Destination,
                                        Opcode Op, uint64_t Cycle,
                                        uint32_t Address) {
   uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, true);
-  Memory->request(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket));
+  ask(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket));
   return ready::pending(Op);
 }
 
@@ -84,20 +84,20 @@ bool TmRunnerState::requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
                                  unsigned Bytes) {
   if (T.Requests->oldestStore().FreeFrom > Epoch + Cycle)
     return false;
-  Memory->request(request(T, RequestKind::Store, Cycle, Address, Bytes,
-                          T.Requests->addStore()));
+  ask(request(T, RequestKind::Store, Cycle, Address, Bytes,
+              T.Requests->addStore()));
   return true;
 }
 
 void TmRunnerState::requestLine(const InstructionCache::Miss &Missed) {
   uint32_t LineBytes = Chip.Chip->IcacheLineBytes;
-  Memory->request({.Cycle = Missed.Cycle,
-                   .Address = Missed.Line * LineBytes,
-                   .Ticket = ThreadRequests::ticketOfLine(Missed.Line),
-                   .Priority = Missed.Priority,
-                   .Tp = Missed.Tp,
-                   .Bytes = uint16_t(LineBytes),
-                   .Kind = RequestKind::Fetch});
+  ask({.Cycle = Missed.Cycle,
+       .Address = Missed.Line * LineBytes,
+       .Ticket = ThreadRequests::ticketOfLine(Missed.Line),
+       .Priority = Missed.Priority,
+       .Tp = Missed.Tp,
+       .Bytes = uint16_t(LineBytes),
+       .Kind = RequestKind::Fetch});
 }
 
 void TmRunnerState::awaitStores(Thread &T) {

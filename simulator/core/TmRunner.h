@@ -65,6 +65,8 @@ struct TmRunnerState {
   /// Of its TPs; used if they do not run one after the other.
   std::vector<OwnAccesses> OwnAccessesOf;
   std::vector<MemoryAnswer> Answers;
+  /// Requests made in this turn, less those answered in it.
+  int64_t Unanswered = 0;
   /// 0 without an L1.
   uint32_t L1Latency = 0;
   /// Of the TM at hand; null on a chip whose instruction caches never miss. And
@@ -154,6 +156,10 @@ struct TmRunnerState {
                                    uint32_t &Value) const;
 
 private:
+  void ask(const MemoryRequest &Request) {
+    ++Unanswered;
+    Memory->request(Request);
+  }
   MemoryRequest request(const Thread &T, RequestKind Kind, uint64_t Cycle,
                         uint32_t Address, unsigned Bytes,
                         uint32_t Ticket) const;

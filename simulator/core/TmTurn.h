@@ -62,6 +62,7 @@ public:
   /// The same for a TM with a memory system.
   uint64_t run(TmMemory &Memory) {
     R.Memory = &Memory;
+    R.Unanswered = 0;
     LastAdvance = R.WindowStart;
     if (R.Icache)
       R.Icache->beginWindow(R.WindowStart);
@@ -216,6 +217,7 @@ private:
 
   void takeAnswers() {
     for (const MemoryAnswer &Answer : R.Answers) {
+      R.Unanswered -= Answer.ReadyCycle != AnsweredLater;
       if (uint32_t Line = ThreadRequests::lineOf(Answer.Ticket);
           Line != NoLine) {
         if (Answer.ReadyCycle != AnsweredLater)

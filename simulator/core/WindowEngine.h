@@ -125,6 +125,8 @@ private:
   /// requests.
   std::unique_ptr<MemorySystem> Hierarchy;
   std::vector<ThreadRequests> Requests;
+  /// Requests of each TM that are under way.
+  std::vector<int64_t> Unanswered;
 
   std::vector<std::unique_ptr<Runner>> Runners;
   /// Counters of all runners, for the statistics.
@@ -183,6 +185,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(
     prepareFetches();
   if (!this->Hierarchy)
     return;
+  Unanswered.resize(Chip.TmCount);
   Requests.resize(Threads.size(), ThreadRequests(Chip.StoreBufferEntries));
   for (uint32_t I = 0; I != Threads.size(); ++I)
     Threads[I].Requests = &Requests[I];
@@ -298,10 +301,16 @@ void WindowEngine<Word, FlushToZero>::runWindow() {
   using Clock = std::chrono::steady_clock;
   const std::vector<uint32_t> &Due = Schedule.take(WindowEnd);
   NextDue.store(0, std::memory_order_relaxed);
-  IsShared = Due.size() > 1 && LastWork > WorthSharing;
-  auto Start = Clock::now();
-  share([this](unsigned I) { runTms(*Runners[I]); });
-  LastWork = (Clock::now() - Start) * (IsShared ? Pool->size() : 1);
+  auto Work = [this](unsigned I) { runTms(*Runners[I]); };
+  if (Due.size() > 1 && Pool->size() > 1) {
+    IsShared = LastWork > WorthSharing;
+    auto Start = Clock::now();
+    share(Work);
+    LastWork = (Clock::now() - Start) * (IsShared ? Pool->size() : 1);
+  } else {
+    IsShared = false;
+    Work(0);
+  }
   for (uint32_t Tm : Due)
     Schedule.wake(Tm, TurnEnds[Tm]);
   finishWindow();
@@ -323,7 +332,11 @@ uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
   TmTurn<Word> Turn(R, Tm, std::span(Threads).subspan(Begin, Chip.TpsPerTm),
                     std::span(NextCycles).subspan(Begin, Chip.TpsPerTm),
                     FirstPriority, InitialFree);
-  return Hierarchy ? Turn.run(Hierarchy->tm(Tm)) : Turn.run();
+  if (!Hierarchy)
+    return Turn.run();
+  uint64_t Next = Turn.run(Hierarchy->tm(Tm));
+  Unanswered[Tm] += R.Unanswered;
+  return Next;
 }
 
 template <class Word, bool FlushToZero>
@@ -347,6 +360,10 @@ void WindowEngine<Word, FlushToZero>::finishWindow() {
 
 template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::runMemory() {
+  bool IsAsked =
+      std::ranges::any_of(Unanswered, [](int64_t Count) { return Count != 0; });
+  if (!IsAsked && Hierarchy->nextEvent() >= WindowEnd)
+    return;
   for (unsigned Stage = 0; Stage != Hierarchy->stages(); ++Stage) {
     std::atomic<unsigned> NextPart = 0;
     unsigned Parts = Hierarchy->parts(Stage);
@@ -364,7 +381,7 @@ void WindowEngine<Word, FlushToZero>::runMemory() {
       RunParts(0);
   }
   for (uint32_t Tm = 0; Tm != Chip.TmCount; ++Tm)
-    if (Hierarchy->tm(Tm).hasAnswers())
+    if (Unanswered[Tm] != 0 && Hierarchy->tm(Tm).hasAnswers())
       Schedule.wake(Tm, WindowEnd);
 }
 

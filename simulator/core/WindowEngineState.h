@@ -83,6 +83,7 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
   serializeCounters(A);
   A(NextCycles);
   A(Schedule);
+  A(Unanswered);
   A(WindowEnd);
   A(Epoch);
   A(Waiting);
