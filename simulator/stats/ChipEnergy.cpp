@@ -37,19 +37,25 @@ struct Activity {
   }
 };
 
-uint64_t cacheAccesses(const CacheStatistics &Cache, uint32_t LineBytes) {
+} // namespace
+
+static uint64_t cacheAccesses(const CacheStatistics &Cache,
+                              uint32_t LineBytes) {
   return Cache.Loads + Cache.Stores + Cache.Atomics + Cache.Fetches +
          Cache.Misses + Cache.WritebackBytes / LineBytes;
 }
 
-double seconds(const ChipConfig &Chip, uint64_t Cycles) {
+static double seconds(const ChipConfig &Chip, uint64_t Cycles) {
   return double(Cycles) / (Chip.ClockGHz * 1e9);
 }
 
-EnergyPart dramEnergy(const ChipConfig &Chip, const Statistics &Stats) {
-  const DramEnergy Each = Chip.Dram->Energy.value_or(DramEnergy());
+/// Of the chip's DRAM in a run of \p Cycles.
+static EnergyPart
+dramEnergy(const ChipConfig &Chip, const DramConfig &Dram, uint64_t Cycles,
+           const std::vector<DramChannelStatistics> &Channels) {
+  const DramEnergy Each = Dram.Energy.value_or(DramEnergy());
   EnergyPart Part{"dram", 0, 0, Each.Source};
-  for (const DramChannelStatistics &Channel : Stats.Memory->DramChannels) {
+  for (const DramChannelStatistics &Channel : Channels) {
     Part.Operations +=
         Channel.Activates + Channel.Reads + Channel.Writes + Channel.Refreshes;
     Part.Joules += JoulesPerNj * (double(Channel.Activates) * Each.ActivateNj +
@@ -57,12 +63,9 @@ EnergyPart dramEnergy(const ChipConfig &Chip, const Statistics &Stats) {
                                   double(Channel.Writes) * Each.WriteNj +
                                   double(Channel.Refreshes) * Each.RefreshNj);
   }
-  Part.Joules +=
-      seconds(Chip, Stats.Cycles) * Chip.Dram->Channels * Each.BackgroundW;
+  Part.Joules += seconds(Chip, Cycles) * Dram.Channels * Each.BackgroundW;
   return Part;
 }
-
-} // namespace
 
 std::vector<EnergyPart> chipEnergy(const ChipConfig &Chip,
                                    const Statistics &Stats) {
@@ -94,7 +97,8 @@ std::vector<EnergyPart> chipEnergy(const ChipConfig &Chip,
         Memory.Crossbar->RequestBytes + Memory.Crossbar->AnswerBytes,
         crossbarCost(Chip));
   if (Chip.Dram)
-    Parts.push_back(dramEnergy(Chip, Stats));
+    Parts.push_back(
+        dramEnergy(Chip, *Chip.Dram, Stats.Cycles, Memory.DramChannels));
   return Parts;
 }
 

@@ -32,6 +32,8 @@ public:
     });
   }
 
+  ~TraceWriter() override { finish(); }
+
   void write(uint64_t Begin, uint64_t End,
              ArrayRef<IntervalFigure> Figures) override {
     writeEvents(Begin, Figures);
@@ -41,6 +43,9 @@ public:
 
   /// Takes all curves to 0, so that the last interval has an end.
   void finish() override {
+    if (IsFinished)
+      return;
+    IsFinished = true;
     for (IntervalFigure &Figure : Last)
       Figure.Value = 0;
     writeEvents(LastEnd, Last);
@@ -56,6 +61,7 @@ private:
   json::OStream Json;
   std::vector<IntervalFigure> Last;
   uint64_t LastEnd = 0;
+  bool IsFinished = false;
 
   /// Figures of one track follow each other.
   void writeEvents(uint64_t Cycle, ArrayRef<IntervalFigure> Figures) {

@@ -24,7 +24,8 @@ public:
   /// The interval from cycle \p Begin on that ends in front of \p End.
   virtual void write(uint64_t Begin, uint64_t End,
                      llvm::ArrayRef<IntervalFigure> Figures) = 0;
-  /// Ends the file.
+  /// Ends the file. The destructor does it if nobody has: a run that fails
+  /// leaves the intervals up to there.
   virtual void finish() {}
 };
 

@@ -117,9 +117,13 @@ public:
             Memory.SentByTms);
   }
 
-  void checkMemory(const MemoryStatistics &Memory) {
-    if (Memory.L1)
-      checkCache("L1", *Memory.L1, Memory.L1->Loads);
+  void checkMemory(const MemoryStatistics &Memory, uint64_t GlobalAccesses) {
+    if (const std::optional<CacheStatistics> &L1 = Memory.L1) {
+      checkCache("L1", *L1, L1->Loads);
+      check("global accesses at the L1s",
+            L1->Loads + L1->Stores + L1->Atomics + Memory.WaitingAtL1,
+            GlobalAccesses);
+    }
     if (Memory.L2)
       checkCache("L2", *Memory.L2,
                  Memory.L2->Loads + Memory.L2->Fetches + Memory.L2->Atomics);
@@ -148,7 +152,7 @@ llvm::Error checkSums(const ChipConfig &Chip, const Statistics &Stats,
   Checker.checkOpcodes(Stats);
   Checker.checkPcs(Stats, Opcodes);
   if (Stats.Memory)
-    Checker.checkMemory(*Stats.Memory);
+    Checker.checkMemory(*Stats.Memory, Stats.GlobalAccesses);
   return Checker.result();
 }
 

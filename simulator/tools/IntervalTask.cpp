@@ -36,8 +36,10 @@ IntervalTask::IntervalTask(const Options &Request, const ChipConfig &Chip,
 }
 
 IntervalTask::~IntervalTask() {
-  // Of a run that failed for another reason.
-  File->flush();
+  // An error here is of a run that has failed for another reason.
+  Writer.reset();
+  if (!IsFinished)
+    File->flush();
   File->clear_error();
 }
 
@@ -53,6 +55,7 @@ llvm::Error IntervalTask::finish(const Engine &Machine) {
       return E;
   Writer->finish();
   File->close();
+  IsFinished = true;
   return writeError();
 }
 

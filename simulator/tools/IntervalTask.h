@@ -54,6 +54,7 @@ private:
   /// What was counted before the interval at hand, and the cycle to end it.
   Statistics Before;
   uint64_t NextEnd;
+  bool IsFinished = false;
 };
 
 } // namespace tp

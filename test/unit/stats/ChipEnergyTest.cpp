@@ -87,7 +87,7 @@ TEST(ChipEnergy, CountsTheMemorySystem) {
   L1.Loads = 30;
   L1.Stores = 20;
   L1.Misses = 7;
-  L1.WritebackBytes = 3 * 64;
+  L1.WritebackBytes = 192; // 3 lines
   Stats.Memory->L1 = L1;
   Stats.Memory->Crossbar.emplace();
   Stats.Memory->Crossbar->RequestBytes = 100;

@@ -28,7 +28,7 @@ TEST(IntervalFigures, TellCountsAndRates) {
   EXPECT_DOUBLE_EQ(Values["instructions_per_cycle"], 1.1);
   EXPECT_EQ(Values["lost_memory"], 20);
   EXPECT_EQ(Values["lost_finished"], 60);
-  EXPECT_EQ(Values["global_accesses"], 10);
+  EXPECT_EQ(Values["global_accesses"], 52);
   EXPECT_EQ(Values["l1_merged"], 2);
   EXPECT_DOUBLE_EQ(Values["l1_hit_rate"], 0.75);
   EXPECT_DOUBLE_EQ(Values["crossbar_answer_bytes_per_cycle"], 3.2);

@@ -32,8 +32,9 @@ struct MemoryRun : SmallRun {
     PartCost &Adder = Chip.Technology.emplace().Units[unsigned(Unit::INTADD)];
     Adder = {0.25, 0.5, {"a guess", true}};
 
-    Stats.GlobalAccesses = 10;
+    Stats.GlobalAccesses = 52;
     MemoryStatistics &Memory = Stats.Memory.emplace();
+    Memory.WaitingAtL1 = 2;
     Memory.SentByTms = 20;
     Memory.SentByL2s = 10;
     Memory.SentByL2sUnderWay = 1;

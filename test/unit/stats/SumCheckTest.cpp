@@ -75,6 +75,11 @@ TEST(CheckSums, SeesWrongLevelsOfMemory) {
   ++L1.Stats.Memory->L1->Hits;
   EXPECT_THAT(sumError(L1), HasSubstr("requests of the L1"));
 
+  MemoryRun Accesses;
+  ++Accesses.Stats.GlobalAccesses;
+  EXPECT_THAT(sumError(Accesses),
+              HasSubstr("accesses at the L1s add up to 52 instead of 53"));
+
   MemoryRun L2;
   --L2.Stats.Memory->L2->Merged;
   EXPECT_THAT(sumError(L2), HasSubstr("requests of the L2"));
