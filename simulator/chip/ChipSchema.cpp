@@ -15,19 +15,19 @@
 using namespace llvm;
 
 namespace tp {
-namespace {
+static constexpr Presence Optional = Presence::Optional;
 
-constexpr Presence Optional = Presence::Optional;
-
-constexpr IntegerRange bytesUpTo(uint64_t Max) {
+static constexpr IntegerRange bytesUpTo(uint64_t Max) {
   return {1, Max, 1, /*PowerOfTwo=*/true, /*IsBytes=*/true};
 }
 
 /// True for the classes whose latency is the memory's and not a unit's.
-bool isMemoryClass(LatencyClass Class) {
+static bool isMemoryClass(LatencyClass Class) {
   return Class == LatencyClass::Load || Class == LatencyClass::Atomic ||
          Class == LatencyClass::Store;
 }
+
+namespace {
 
 /// Hands the parts of a chip to a visitor.
 class ChipKeys {

@@ -175,7 +175,7 @@ class ChipSettings : public testing::Test {
 protected:
   llvm::Expected<ChipConfig> Base = loadChip("report-512x8", TP_CHIP_FOLDER);
 
-  std::string errorWith(std::vector<std::string> Settings) {
+  std::string errorWith(const std::vector<std::string> &Settings) {
     llvm::Expected<ChipConfig> Chip =
         withSettings(*Base, Settings, {TP_CHIP_FOLDER});
     return Chip ? "" : llvm::toString(Chip.takeError());
