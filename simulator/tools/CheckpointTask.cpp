@@ -49,13 +49,16 @@ static RunIdentity identityOf(const Options &Request, const ChipConfig &Chip,
   HashingArchive ChipHash, MemoryHash;
   ChipHash(ChipText);
   MemoryHash(Loaded.Global);
-  auto YesOrNo = [](bool Value) { return std::string(Value ? "yes" : "no"); };
   auto Marker = [](std::optional<uint32_t> Number) {
     return Number ? std::to_string(*Number) : "none";
   };
   std::string Regions = "none";
   if (Request.Regions)
     Regions = formatv("{0}:{1}", Request.Regions->Begin, Request.Regions->End);
+  std::string Trace = "none";
+  if (!Request.CacheTraceOutput.empty())
+    Trace = formatv("thread {0}, deletion {1}", Request.TracedDeletion.Thread,
+                    Request.TracedDeletion.Deletion);
   const RenderOptions &Image = Request.Rendering;
   return {
       {"program's path", Request.Program},
@@ -67,7 +70,7 @@ static RunIdentity identityOf(const Options &Request, const ChipConfig &Chip,
       {"program and scene", MemoryHash.hash()},
       {"--fast-forward", Marker(Request.FastForward)},
       {"--regions", Regions},
-      {"ray profile (--stats or a table)", YesOrNo(Loaded.Rays != nullptr)},
+      {"--trace-cache", Trace},
   };
 }
 
@@ -84,8 +87,7 @@ void CheckpointTask::serializeRun(Archive &A, Engine &Machine) {
   Machine.serialize(A);
   A(Console);
   A(Loaded.RaysBefore);
-  if (Loaded.Rays)
-    A(*Loaded.Rays);
+  A(*Loaded.Rays);
   for (RunTask *Task : Others)
     Task->serialize(A);
 }
@@ -118,7 +120,11 @@ uint64_t CheckpointTask::nextPause() const {
 
 llvm::Error CheckpointTask::pause(Engine &Machine, RunResult::EndKind End) {
   uint64_t Due = nextPause();
-  bool IsDue = End == RunResult::Paused && Due != 0 && Machine.cycles() >= Due;
+  // A limit between two windows has not cut anything.
+  bool CanGoOn =
+      End == RunResult::Paused ||
+      (End == RunResult::CycleLimit && Machine.cycles() == LastBeforeLimit);
+  bool IsDue = CanGoOn && Due != 0 && Machine.cycles() >= Due;
   bool IsStopped =
       End == RunResult::Stopped && !Request.CheckpointOutput.empty();
   if (!IsDue && !IsStopped)

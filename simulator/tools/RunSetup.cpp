@@ -49,7 +49,13 @@ static llvm::Error checkOutputs(const Options &Request) {
     if (!Path.empty() && Path != "-")
       if (llvm::Error E = checkWritable(Path))
         return E;
-  return llvm::Error::success();
+  StringRef Checkpoint = Request.CheckpointOutput;
+  if (Checkpoint.empty() || sys::fs::exists(Checkpoint))
+    return llvm::Error::success();
+  // It must not be there before there is something in it.
+  if (llvm::Error E = checkWritable(Checkpoint))
+    return E;
+  return errorCodeToError(sys::fs::remove(Checkpoint));
 }
 
 static Expected<std::vector<MemoryDump>> locateDumps(const Options &Request,
@@ -79,8 +85,10 @@ loadRequestedScene(const Options &Request) {
 
 static Expected<std::unique_ptr<RayProfiler>>
 makeRayProfiler(const Options &Request, const ChipConfig &Chip) {
+  bool IsSaved =
+      !Request.CheckpointOutput.empty() || !Request.RestoreInput.empty();
   if (Request.CacheTraceOutput.empty() && Request.Quiet &&
-      Request.StatisticsOutput.empty())
+      Request.StatisticsOutput.empty() && !IsSaved)
     return nullptr;
   auto Rays = std::make_unique<RayProfiler>(Chip.threadCount());
   if (!Request.CacheTraceOutput.empty()) {

@@ -36,7 +36,7 @@ struct RunSetup {
   /// is none.
   std::vector<uint32_t> RaysBefore;
   /// Who interprets the run's ray events; null if the user will not see what
-  /// they say.
+  /// they say, also not after a restore.
   std::unique_ptr<RayProfiler> Rays;
 
   RunSetup(ElfProgram Loaded, std::optional<Scene> Source,
