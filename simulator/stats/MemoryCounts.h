@@ -76,7 +76,7 @@ inline constexpr MemoryCount<DramChannelStatistics> DramCounts[] = {
     {"precharges", &DramChannelStatistics::Precharges},
     {"refreshes", &DramChannelStatistics::Refreshes},
     {"write_drains", &DramChannelStatistics::WriteDrains},
-    {"ticks", &DramChannelStatistics::Ticks},
+    {"ticks", &DramChannelStatistics::Ticks, CountKind::Level},
     {"bus_busy_ticks", &DramChannelStatistics::BusBusyTicks},
     {"refresh_ticks", &DramChannelStatistics::RefreshTicks},
     {"read_queue_ticks", &DramChannelStatistics::ReadQueueTicks},

@@ -56,8 +56,10 @@ public:
     Result.Data = limited(Accesses * Config.BurstBytes, ChannelPeak * Channels);
     Result.Read = bandwidth(Counts.Reads * Config.BurstBytes);
     Result.Written = bandwidth(Counts.Writes * Config.BurstBytes);
-    Result.MeanReadQueue = ratio(Counts.ReadQueueTicks, Counts.Ticks);
-    Result.MeanWriteQueue = ratio(Counts.WriteQueueTicks, Counts.Ticks);
+    double Ticks =
+        Cycles * double(Config.ClockKHz) / (Chip.ClockGHz * 1e6) * Channels;
+    Result.MeanReadQueue = ratio(double(Counts.ReadQueueTicks), Ticks);
+    Result.MeanWriteQueue = ratio(double(Counts.WriteQueueTicks), Ticks);
     Result.MeanReadLatency =
         ratio(Counts.ReadLatencySum, Counts.Reads + Counts.ForwardedReads);
     return Result;
