@@ -11,6 +11,7 @@
 
 #include "llvm/Support/WithColor.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -23,7 +24,7 @@ namespace tp {
 namespace {
 
 /// Segments compiled before the first of them can be used.
-constexpr size_t BatchSegments = 16;
+constexpr size_t BatchSegments = 8;
 
 class Jit final : public CodeGenerator {
 public:
@@ -44,18 +45,30 @@ private:
     const SegmentExit *Exit;
   };
 
+  using Clock = std::chrono::steady_clock;
+
   /// The compiler's host thread.
   void compileRequests();
+  /// When the compiler may go on after what it has done.
+  Clock::time_point nextTurn() const {
+    return Options.EverythingAtOnce
+               ? Start
+               : Start + std::chrono::duration_cast<Clock::duration>(
+                             Compiling / Options.CompilerShare);
+  }
   void install(const Batch &Compiled, std::vector<GeneratedHandler> &Handlers);
   void look(std::span<const TmRunnerState *const> Counters);
 
   const JitOptions Options;
   std::unique_ptr<CodeSession> Session;
   std::unique_ptr<BatchCompiler> Compiler;
+  Clock::time_point Start;
+  /// What the compiler has taken; its thread's.
+  std::chrono::duration<double> Compiling{0};
   HotSpots Spots;
   unsigned Windows = 0;
-  /// What the interpreter had executed at the last look, and what fold() has
-  /// added to that.
+  /// What the interpreter had executed when something was last hot, and what
+  /// fold() has added to that.
   std::vector<uint64_t> Seen, Folded;
   std::vector<Count> Exits;
   /// What has been installed; Exits points into it.
@@ -90,6 +103,7 @@ void Jit::start(CodeSubject Subject) {
   Folded.resize(NumWords);
   Compiler =
       std::make_unique<BatchCompiler>(std::move(Session), std::move(Subject));
+  Start = Clock::now();
   Thread = std::thread([this] { compileRequests(); });
 }
 
@@ -97,6 +111,7 @@ void Jit::compileRequests() {
   std::unique_lock Lock(Mutex);
   for (;;) {
     Changed.wait(Lock, [this] { return IsStopping || !Requests.empty(); });
+    Changed.wait_until(Lock, nextTurn(), [this] { return IsStopping; });
     if (IsStopping)
       return;
     IsBusy = true;
@@ -105,7 +120,9 @@ void Jit::compileRequests() {
                                   std::make_move_iterator(End));
     Requests.erase(Requests.begin(), End);
     Lock.unlock();
+    auto Begin = Clock::now();
     Expected<Batch> Compiled = Compiler->compile(Segments);
+    Compiling += Clock::now() - Begin;
     Lock.lock();
     IsBusy = false;
     if (Compiled) {
@@ -161,12 +178,14 @@ void Jit::look(std::span<const TmRunnerState *const> Counters) {
     for (size_t Word = 0; Word != NumWords; ++Word)
       Executed[Word] += Counter->ExecutedAt[Word];
   uint64_t HotCount = Options.EverythingAtOnce ? 0 : Options.HotCount;
+  std::vector<uint64_t> Now(NumWords);
   for (size_t Word = 0; Word != NumWords; ++Word) {
-    uint64_t Now = Executed[Word] - Folded[Word];
-    Interpreted[Word] = Now - Seen[Word];
-    Seen[Word] = Now;
+    Now[Word] = Executed[Word] - Folded[Word];
+    Interpreted[Word] = Now[Word] - Seen[Word];
   }
   Requests = Spots.choose(Subject, Interpreted, Executed, HotCount);
+  if (!Requests.empty())
+    Seen = std::move(Now);
   Changed.notify_all();
 }
 

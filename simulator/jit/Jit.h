@@ -20,10 +20,15 @@ struct JitOptions {
   /// The engine's windows between two looks at what is hot.
   unsigned WindowsBetweenLooks = 16;
   /// An instruction must have been executed so often by the interpreter since
-  /// the last look.
-  uint64_t HotCount = 2000;
+  /// something was last found hot: then the interpreter has lost about the time
+  /// that compiling it takes.
+  uint64_t HotCount = 100'000;
+  /// The most that the compiler may take of a host thread, as a share of the
+  /// time since the start: a short run must not pay for code that it will
+  /// hardly use.
+  double CompilerShare = 0.5;
   /// Compile all that the entry point can reach before the first window, and
-  /// wait for the compiler: for tests.
+  /// wait for the compiler, whatever it takes: for tests.
   bool EverythingAtOnce = false;
 };
 

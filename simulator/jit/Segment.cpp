@@ -56,7 +56,9 @@ Segment formSegment(const CodeSubject &Subject, uint32_t Head,
        Result.size() < MaxSegmentSteps && isCompiled(Subject, Word);) {
     const Instruction &Decoded = Text[Word];
     bool IsJoin = Word != Head && IsHead[Word];
-    if (IsJoin || Loaded.isUsedBy(Decoded) ||
+    bool IsOtherLine =
+        !Subject.LineOf.empty() && Subject.LineOf[Word] != Subject.LineOf[Head];
+    if (IsJoin || IsOtherLine || Loaded.isUsedBy(Decoded) ||
         std::ranges::find(Result, Word, &SegmentStep::Word) != Result.end())
       break;
     Loaded.step(Decoded);

@@ -32,11 +32,12 @@ using Segment = std::vector<SegmentStep>;
 inline constexpr size_t MaxSegmentSteps = 32;
 
 /// The segment that begins at \p Head: along the hotter side of each branch, up
-/// to where another begins, to what only the interpreter does, and to the first
-/// use of what it has itself loaded from other than the stack: there a thread
-/// will likely sleep, and a segment begins where it wakes up. Empty if the
-/// interpreter must do the first instruction. \p ExecutedAt says how often each
-/// word was executed, \p IsHead where segments begin.
+/// to where another or another line of the instruction cache begins, to what
+/// only the interpreter does, and to the first use of what it has itself loaded
+/// from other than the stack: there a thread will likely sleep, and a segment
+/// begins where it wakes up. Empty if the interpreter must do the first
+/// instruction. \p ExecutedAt says how often each word was executed, \p IsHead
+/// where segments begin.
 Segment formSegment(const CodeSubject &Subject, uint32_t Head,
                     std::span<const uint64_t> ExecutedAt,
                     const std::vector<bool> &IsHead);

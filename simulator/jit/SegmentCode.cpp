@@ -83,8 +83,8 @@ private:
   llvm::Value *registerAddress(uint8_t Register);
   llvm::Value *readyAddress(uint8_t Register);
   llvm::Value *field(llvm::Value *Result, size_t Offset, Type *Of);
-  /// The lowest ready word that is later than the cycle at hand.
-  llvm::Value *laterThanNow();
+  /// The lowest ready word of a cycle.
+  llvm::Value *readyIn(uint32_t Cycle);
   llvm::Value *address(const void *Pointer);
   llvm::Value *slotAddress(uint32_t Slot);
   MDNode *likely() {
@@ -195,8 +195,8 @@ llvm::Value *SegmentBuilder::readyWordOf(uint8_t Register) {
   return State.ReadyWord;
 }
 
-llvm::Value *SegmentBuilder::laterThanNow() {
-  return B.CreateAdd(ReadyNow, B.getInt32((Now + 1) << ready::CycleShift));
+llvm::Value *SegmentBuilder::readyIn(uint32_t Cycle) {
+  return B.CreateAdd(ReadyNow, B.getInt32(Cycle << ready::CycleShift));
 }
 
 void SegmentBuilder::countExit(uint32_t Executed) {
@@ -260,7 +260,10 @@ void SegmentBuilder::waitForSources() {
           std::max(Latest, ready::after(*State.ReadyCycle, State.Producer));
       continue;
     }
-    proceedIf(B.CreateICmpULT(readyWordOf(Source), laterThanNow()));
+    // A message can come in the cycle after the window, before the commit makes
+    // a result that is ready then.
+    uint32_t Limit = takesTime(Decoded->Op) ? Now + 1 : Now;
+    proceedIf(B.CreateICmpULT(readyWordOf(Source), readyIn(Limit)));
     State.ReadyCycle = State.PassedCycle = Now;
   }
   uint64_t Until = ready::cycleOf(Latest);

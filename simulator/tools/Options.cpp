@@ -72,6 +72,7 @@ public:
     unsigned Cores = std::max(std::thread::hardware_concurrency(), 1u);
     Result.HostThreads = number(OPT_host_threads, 1, MaxHostThreads,
                                 std::min(Cores, MaxHostThreads));
+    Result.GenerateCode = readEngine();
     Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
     Result.ChipSettings = Arguments.getAllArgValues(OPT_set);
     readStatistics(Result);
@@ -125,6 +126,14 @@ private:
       error("--interval-output '" + Path +
             "': expected a file that ends in .csv or .json");
     exclude(OPT_functional, OPT_interval, "the functional mode has no cycles");
+  }
+
+  /// Whether the engine is the one that generates code.
+  bool readEngine() {
+    StringRef Name = Arguments.getLastArgValue(OPT_engine, "jit");
+    if (Name != "jit" && Name != "reference")
+      error("--engine '" + Name + "': expected jit or reference");
+    return Name == "jit";
   }
 
   /// Two options that exclude each other.

@@ -63,6 +63,8 @@ struct Options {
   std::string CacheTraceOutput;
   DeletionRequest TracedDeletion;
   unsigned HostThreads = 1;
+  /// Compile hot code.
+  bool GenerateCode = true;
   /// 0: no limit.
   uint64_t MaxCycles = 0;
   /// All of the run without timing.

@@ -58,6 +58,9 @@ defm trace_cache_deletion : LongValue<"trace-cache-deletion", "<n>",
                                   "Its how many-th deletion (default: 1)">;
 defm host_threads : LongValue<"host-threads", "<n>",
                           "Threads of the host to use (default: all)">;
+defm engine : LongValue<"engine", "<jit|reference>",
+                    "Whether hot code is compiled (default: jit); changes "
+                    "nothing but speed">;
 defm max_cycles : LongValue<"max-cycles", "<n>",
                         "Stop with status 1 after so many cycles">;
 def functional : LongFlag<"functional",

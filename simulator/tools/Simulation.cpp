@@ -7,6 +7,7 @@
 #include "simulator/tools/Simulation.h"
 
 #include "simulator/core/Engine.h"
+#include "simulator/jit/Jit.h"
 #include "simulator/stats/JsonReport.h"
 #include "simulator/stats/SumCheck.h"
 #include "simulator/stats/TableReport.h"
@@ -128,6 +129,12 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   if (!Machine.error().empty())
     return createStringError(Machine.error());
   Machine.setHostThreads(Request.HostThreads);
+  if (Request.GenerateCode) {
+    Expected<std::unique_ptr<CodeGenerator>> Generator = makeJit();
+    if (!Generator)
+      return Generator.takeError();
+    Machine.setCodeGenerator(std::move(*Generator));
+  }
   Machine.setOutput(
       [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
