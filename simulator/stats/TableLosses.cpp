@@ -61,7 +61,7 @@ public:
                        {"L2", Loss::L2},
                        {"DRAM", Loss::Dram},
                        {"store buffer", Loss::StoreBuffer},
-                       {"fixed latency", Loss::Memory}});
+                       {Run.Chip.Dram ? "under way" : "memory", Loss::Memory}});
     else
       row("memory", Stats.lost(Loss::Memory),
           biggest(only(Stalls, isMemory), Whole));

@@ -20,8 +20,9 @@ inline std::string grouped(uint64_t Value) {
 }
 
 /// 0.1234 as `12.3 %`. Something that is not nothing never shows as `0.0 %`.
+/// Differences of what is under way may be negative.
 inline std::string percent(double Share) {
-  if (Share > 0 && Share < 0.0005)
+  if (Share != 0 && Share > -0.0005 && Share < 0.0005)
     return "<0.1 %";
   return llvm::formatv("{0:F1} %", Share * 100).str();
 }
