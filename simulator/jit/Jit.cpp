@@ -149,7 +149,8 @@ Jit::update(std::span<const TmRunnerState *const> Counters) {
   if (Windows++ % Options.WindowsBetweenLooks != 0)
     return {};
   std::unique_lock Lock(Mutex);
-  if (Requests.empty() && !IsBusy && !IsStopping)
+  bool IsDone = Options.EverythingAtOnce && Windows != 1;
+  if (Requests.empty() && !IsBusy && !IsStopping && !IsDone)
     look(Counters);
   if (Options.EverythingAtOnce)
     Changed.wait(

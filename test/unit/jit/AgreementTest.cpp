@@ -17,8 +17,8 @@ namespace {
 
 /// Runs a program with generated code and without and compares everything.
 void expectAgreement(const ChipConfig &Chip, const Assembly &Program,
-                     uint64_t MaxCycles = 1000000) {
-  Simulation Generated(Chip, Program);
+                     uint64_t MaxCycles = 1000000, unsigned HostThreads = 1) {
+  Simulation Generated(Chip, Program, HostThreads);
   auto Generator = std::exchange(Simulation::DefaultGenerator, nullptr);
   Simulation Reference(Chip, Program);
   Simulation::DefaultGenerator = Generator;
@@ -83,6 +83,10 @@ TEST(Agreement, OfThreadsThatDisturbEachOther) {
   expectAgreement(crowdedChip(3, 4), mixedProgram());
 }
 
+TEST(Agreement, OnSeveralHostThreads) {
+  expectAgreement(crowdedChip(5, 2), mixedProgram(), 1000000, 3);
+}
+
 TEST(Agreement, OfWideResourceWords) {
   ChipConfig Chip = crowdedChip(2, 8);
   Chip.IcacheBanks = 32;
@@ -104,7 +108,7 @@ TEST(Agreement, WithSubnormalsFlushed) {
 }
 
 TEST(Agreement, WhenCutAtAnyCycle) {
-  for (uint64_t Cycles : {1, 17, 40, 41, 42, 63, 88, 90})
+  for (uint64_t Cycles : {1, 41, 42, 90})
     expectAgreement(crowdedChip(1, 2), mixedProgram(), Cycles);
 }
 
