@@ -13,7 +13,8 @@ TmGroup::TmGroup(const ChipConfig &Chip, uint32_t Number, uint32_t FirstTm,
     : Number(Number), FirstTm(FirstTm),
       BurstBytes(Chip.Dram ? Chip.Dram->BurstBytes : 0),
       SectorBytes(Chip.L2 ? Chip.L2->SectorBytes : 0),
-      MemoryLatency(Chip.MemoryLatency), Tms(Tms) {
+      MemoryLatency(Chip.MemoryLatency),
+      HasUnawaited(Chip.L1 && Chip.L1->Writes == WritePolicy::Back), Tms(Tms) {
   if (Chip.L2)
     L2.emplace(*Chip.L2, ServedBy::L2, /*DoesAtomics=*/true, Pool,
                static_cast<CacheClient &>(*this));
@@ -69,7 +70,13 @@ void TmGroup::deliver(uint64_t Limit) {
 }
 
 uint64_t TmGroup::nextAdvance() const {
-  return L2 ? std::min(Requests.nextCycle(), L2->nextDeadline()) : NoCycle;
+  uint64_t Next =
+      L2 ? std::min(Requests.nextCycle(), L2->nextDeadline()) : NoCycle;
+  if (HasUnawaited)
+    for (const std::unique_ptr<TmPath> &Tm : Tms)
+      if (!Tm->Outgoing.empty())
+        Next = std::min(Next, Tm->Outgoing.front().Cycle);
+  return Next;
 }
 
 void TmGroup::answer(uint32_t Index, uint64_t Ready, ServedBy Level) {

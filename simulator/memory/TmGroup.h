@@ -92,6 +92,8 @@ private:
   const uint32_t BurstBytes;
   const uint32_t SectorBytes;
   const uint32_t MemoryLatency;
+  /// Whether TMs send anything that nobody waits for.
+  const bool HasUnawaited;
   const std::span<const std::unique_ptr<TmPath>> Tms;
 
   AccessPool Pool;

@@ -25,6 +25,7 @@ void MemoryHarness::askBefore(uint32_t Tm, uint64_t Limit) {
     if (Request.Cycle >= Limit)
       return false;
     System->tm(Tm).request(Request);
+    ++Asked;
     return true;
   });
 }
@@ -42,7 +43,9 @@ void MemoryHarness::runWindow(uint64_t WindowEnd,
     Memory.advance(WindowEnd, Answers);
     note(Answers);
   }
-  for (unsigned Stage = 0; Stage != System->stages(); ++Stage)
+  // As the engine: nothing is done while nobody waits and nothing happens.
+  bool IsIdle = Asked == Answered.size() && System->nextEvent() >= WindowEnd;
+  for (unsigned Stage = 0; !IsIdle && Stage != System->stages(); ++Stage)
     for (unsigned Part = 0; Part != System->parts(Stage); ++Part)
       System->runPart(Stage, Part, WindowEnd);
   for (uint32_t Tm = 0; Tm != Pending.size(); ++Tm) {

@@ -77,6 +77,7 @@ public:
   /// Goes on with the memory system of another run of the same chip.
   void continueFrom(MemoryHarness &Other) {
     copyThroughCheckpoint(*Other.System, *System);
+    Asked = Other.Asked - Other.Answered.size();
     End = Other.End;
   }
 
@@ -89,6 +90,8 @@ private:
   /// By TM.
   std::vector<std::vector<MemoryRequest>> Pending;
   Outcomes Answered;
+  /// Requests made.
+  size_t Asked = 0;
   uint32_t NextTicket = 0;
   uint64_t End = 0;
 };
