@@ -334,6 +334,7 @@ uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
                     FirstPriority, InitialFree);
   if (!Hierarchy)
     return Turn.run();
+  Hierarchy->prefetch(Tm + 1);
   uint64_t Next = Turn.run(Hierarchy->tm(Tm));
   Unanswered[Tm] += R.Unanswered;
   return Next;
@@ -391,7 +392,7 @@ Statistics WindowEngine<Word, FlushToZero>::statistics() const {
   Statistics Result =
       summarize(Threads, NextCycles, EndCycle, Counters, Opcodes);
   if (Hierarchy)
-    Result.Memory = Hierarchy->statistics();
+    Result.Memory = Hierarchy->statistics(WindowEnd);
   for (const InstructionCache &Icache : Icaches)
     Result.Icache += Icache.statistics();
   return Result;

@@ -60,6 +60,8 @@ public:
   virtual ~MemorySystem() = default;
 
   virtual TmMemory &tm(uint32_t Tm) = 0;
+  /// A hint that tm(\p Tm) is used soon, and the one two further after it.
+  virtual void prefetch(uint32_t) const {}
 
   /// The shared part of a window's work, after advance(WindowEnd) of every TM
   /// that has requests: for each stage in order, runPart() of all its parts,
@@ -71,8 +73,8 @@ public:
   /// itself; ~0 if it waits for requests.
   virtual uint64_t nextEvent() const = 0;
 
-  /// Counts up to the last window.
-  virtual MemoryStatistics statistics() const = 0;
+  /// Counts up to the last window's end.
+  virtual MemoryStatistics statistics(uint64_t WindowEnd) const = 0;
   virtual void serialize(Archive &A) = 0;
 };
 

@@ -75,7 +75,6 @@ void SharedMemorySystem::runPart(unsigned Stage, unsigned Part,
     Dram->advance(Part, dramLimit(WindowEnd));
     return;
   case Step::ToGroups:
-    End = WindowEnd;
     Dram->takeAnswers([this](uint32_t Group, const BurstAnswer &Answer) {
       Groups[Group]->takeAnswer(Answer);
     });
@@ -109,7 +108,7 @@ uint64_t SharedMemorySystem::nextEvent() const {
   return Next;
 }
 
-MemoryStatistics SharedMemorySystem::statistics() const {
+MemoryStatistics SharedMemorySystem::statistics(uint64_t WindowEnd) const {
   MemoryStatistics Sum;
   if (HasL1)
     Sum.L1.emplace();
@@ -123,7 +122,7 @@ MemoryStatistics SharedMemorySystem::statistics() const {
     Group->addTo(Sum);
   if (Dram) {
     (HasL2 ? Sum.SentByL2sUnderWay : Sum.SentByTmsUnderWay) += Dram->underWay();
-    Sum.DramChannels = Dram->statistics(dramLimit(End));
+    Sum.DramChannels = Dram->statistics(dramLimit(WindowEnd));
   }
   return Sum;
 }
@@ -135,7 +134,6 @@ void SharedMemorySystem::serialize(Archive &A) {
     Group->serialize(A);
   if (Dram)
     Dram->serialize(A);
-  A(End);
 }
 
 std::unique_ptr<MemorySystem> makeMemorySystem(const ChipConfig &Chip) {

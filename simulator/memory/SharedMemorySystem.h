@@ -33,11 +33,17 @@ public:
   explicit SharedMemorySystem(const ChipConfig &Chip);
 
   TmMemory &tm(uint32_t Tm) override { return *Tms[Tm]; }
+  void prefetch(uint32_t Tm) const override {
+    if (Tm + 2 < Tms.size())
+      Tms[Tm + 2]->prefetchObject();
+    if (Tm < Tms.size())
+      Tms[Tm]->prefetchBuffers();
+  }
   unsigned stages() const override { return unsigned(Stages.size()); }
   unsigned parts(unsigned Stage) const override;
   void runPart(unsigned Stage, unsigned Part, uint64_t WindowEnd) override;
   uint64_t nextEvent() const override;
-  MemoryStatistics statistics() const override;
+  MemoryStatistics statistics(uint64_t WindowEnd) const override;
   void serialize(Archive &A) override;
 
 private:
@@ -71,8 +77,6 @@ private:
   std::vector<std::unique_ptr<TmPath>> Tms;
   std::vector<std::unique_ptr<TmGroup>> Groups;
   std::optional<DramChannels> Dram;
-  /// Of the last window.
-  uint64_t End = 0;
 };
 
 } // namespace tp

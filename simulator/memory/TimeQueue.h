@@ -54,6 +54,14 @@ public:
   }
   void pop(size_t Count = 1) { Head += Count; }
 
+  /// Brings what the next calls write into the host's cache.
+  void prefetch() const {
+    for (const std::vector<T> *Buffer : {&Sorted, &Added})
+      for (size_t Offset = 0; Offset != 4 * 64; Offset += 64)
+        __builtin_prefetch(
+            reinterpret_cast<const char *>(Buffer->data()) + Offset, 1);
+  }
+
   void serialize(Archive &A) {
     settle();
     Sorted.erase(Sorted.begin(), Sorted.begin() + ptrdiff_t(Head));

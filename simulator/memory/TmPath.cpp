@@ -173,6 +173,19 @@ void TmPath::receive(uint32_t Tag, uint64_t Cycle, ServedBy Level) {
     answer(Tag, Cycle, Level);
 }
 
+void TmPath::prefetchObject() const {
+  auto *Begin = reinterpret_cast<const char *>(this);
+  for (size_t Offset = 0; Offset < sizeof(TmPath); Offset += 64)
+    __builtin_prefetch(Begin + Offset, 1);
+}
+
+void TmPath::prefetchBuffers() const {
+  Requests.prefetch();
+  Pool.prefetch();
+  if (L1)
+    L1->prefetch();
+}
+
 void TmPath::addTo(MemoryStatistics &Sum) const {
   if (L1) {
     *Sum.L1 += L1->statistics();

@@ -57,6 +57,11 @@ public:
   /// Brings back all that departs before \p Limit, which is now known to be
   /// all.
   void deliver(uint64_t Limit);
+
+  /// Brings into the host's cache what the next calls need: the object itself,
+  /// and, if that is there already, what it points to.
+  void prefetchObject() const;
+  void prefetchBuffers() const;
   /// The earliest departure of what was not delivered.
   uint64_t nextReturn() const {
     return Returns.empty() ? NoCycle : Returns.front().Cycle;
@@ -80,11 +85,12 @@ public:
 
 private:
   struct RequestBefore {
+    static uint64_t key(const MemoryRequest &Request) {
+      return Request.Cycle << 18 | uint64_t(Request.Priority) << 2 |
+             uint64_t(Request.Kind);
+    }
     bool operator()(const MemoryRequest &A, const MemoryRequest &B) const {
-      if (A.Cycle != B.Cycle)
-        return A.Cycle < B.Cycle;
-      return A.Priority != B.Priority ? A.Priority < B.Priority
-                                      : A.Kind < B.Kind;
+      return key(A) < key(B);
     }
   };
   static bool later(const ReturnMessage &A, const ReturnMessage &B) {

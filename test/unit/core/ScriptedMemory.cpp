@@ -93,7 +93,7 @@ public:
   unsigned parts(unsigned) const override { return 0; }
   void runPart(unsigned, unsigned, uint64_t) override {}
   uint64_t nextEvent() const override { return ~uint64_t(0); }
-  MemoryStatistics statistics() const override { return {}; }
+  MemoryStatistics statistics(uint64_t) const override { return {}; }
   void serialize(Archive &) override {}
 
 private:

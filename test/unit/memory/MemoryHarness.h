@@ -72,7 +72,7 @@ public:
   ServedBy level(uint32_t Ticket) const { return outcome(Ticket).Level; }
   Outcome outcome(uint32_t Ticket) const;
   const Outcomes &outcomes() const { return Answered; }
-  MemoryStatistics statistics() const { return System->statistics(); }
+  MemoryStatistics statistics() const { return System->statistics(End); }
 
   /// Goes on with the memory system of another run of the same chip.
   void continueFrom(MemoryHarness &Other) {

@@ -300,6 +300,15 @@ TEST(DramPathTest, AtomicsReadAndWrite) {
   EXPECT_EQ(M.statistics().SentByTms, 2u);
 }
 
+// Time passes in the channels also while nobody asks them.
+TEST(DramPathTest, TicksGoOnWhileIdle) {
+  MemoryHarness M(withDram(smallChip()));
+  M.load(100, A);
+  M.run(1600);
+  for (const DramChannelStatistics &Channel : M.statistics().DramChannels)
+    EXPECT_EQ(Channel.Ticks, 1600u);
+}
+
 // As IsSharedByItsTms, with 32 cycles in memory in place of 100.
 TEST(DramPathTest, BehindAllLevels) {
   ChipConfig Chip = withDram(fullChip());
