@@ -41,15 +41,23 @@ enum class Awaited : uint8_t {
 /// What a thread has asked of the memory system. All cycles are absolute.
 class ThreadRequests {
 public:
-  /// The last load or atomic whose result goes to a register.
+  /// The last load or atomic whose result goes to a register. There are many:
+  /// it is kept small.
   struct RegisterRequest {
-    /// Cycle of issue.
-    uint64_t Issued = 0;
-    uint32_t Ticket = 0;
-    /// Who had it, once it is answered.
-    ServedBy Level = ServedBy::Memory;
+    /// Low bits of the cycle of issue.
+    uint32_t IssuedLow = 0;
+    /// Of its ticket.
+    uint32_t Number : 25 = 0;
     /// It has gone beyond the L1.
-    bool GoneOn = false;
+    uint32_t GoneOn : 1 = false;
+    /// Who had it, once it is answered.
+    uint32_t LevelBits : 2 = 0;
+
+    ServedBy level() const { return ServedBy(LevelBits); }
+    /// The cycle of issue, which was less than 2^32 cycles before \p Cycle.
+    uint64_t issuedBefore(uint64_t Cycle) const {
+      return Cycle - uint32_t(uint32_t(Cycle) - IssuedLow);
+    }
   };
 
   /// An entry of the store buffer.
@@ -65,20 +73,41 @@ public:
       : Stores(StoreBufferEntries) {}
 
   /// The ticket of a new load or atomic.
-  uint32_t addRegister(uint8_t Register, uint64_t Cycle, bool GoneOn);
+  uint32_t addRegister(uint8_t Register, uint64_t Cycle, bool GoneOn) {
+    RegisterRequest &Request = Registers[Register];
+    Request.IssuedLow = uint32_t(Cycle);
+    Request.Number = NextNumber++;
+    Request.GoneOn = GoneOn;
+    return uint32_t(Request.Number) << RegisterBits | Register;
+  }
   /// The ticket of a new store: it takes the oldest entry.
   uint32_t addStore();
   const StoreEntry &oldestStore() const { return Stores[NextStore]; }
 
   /// The register that a ticket is for, NumRegisters of a store.
-  static uint8_t registerOf(uint32_t Ticket);
+  static uint8_t registerOf(uint32_t Ticket) {
+    return uint8_t(Ticket & RegisterMask);
+  }
   /// Tickets for lines of the text.
-  static uint32_t ticketOfLine(uint32_t Line);
+  static uint32_t ticketOfLine(uint32_t Line) {
+    return Line << RegisterBits | LineMark;
+  }
   /// NoLine of other tickets.
-  static uint32_t lineOf(uint32_t Ticket);
+  static uint32_t lineOf(uint32_t Ticket) {
+    return registerOf(Ticket) == LineMark ? Ticket >> RegisterBits : NoLine;
+  }
   /// Notes an answer about a register, and whether the register still belongs
   /// to that request.
-  bool noteRegister(const MemoryAnswer &Answer);
+  bool noteRegister(const MemoryAnswer &Answer) {
+    RegisterRequest &Request = Registers[registerOf(Answer.Ticket)];
+    if (Request.Number != Answer.Ticket >> RegisterBits)
+      return false;
+    if (Answer.ReadyCycle == AnsweredLater)
+      Request.GoneOn = true;
+    else
+      Request.LevelBits = uint32_t(Answer.Level);
+    return true;
+  }
   void noteStore(const MemoryAnswer &Answer);
 
   const RegisterRequest &request(uint8_t Register) const {
@@ -102,15 +131,23 @@ public:
   void serialize(Archive &A);
 
 private:
-  std::array<RegisterRequest, NumRegisters> Registers{};
-  std::vector<StoreEntry> Stores;
+  /// A ticket is a register and a number, NumRegisters and a place in the store
+  /// buffer, or LineMark and a line of the text.
+  static constexpr unsigned RegisterBits = 7;
+  static constexpr uint32_t RegisterMask = (1 << RegisterBits) - 1;
+  static constexpr uint32_t LineMark = NumRegisters + 1;
+  static_assert(LineMark <= RegisterMask);
+  static_assert(NumServedBy <= 4);
+
+  uint64_t SuspendedAt = 0;
+  Awaited Waiting = Awaited::Nothing;
+  uint32_t NextNumber = 0;
   uint32_t NextStore = 0;
-  uint32_t NextTicket = 0;
   uint32_t Unanswered = 0;
   uint32_t StoresGoneOn = 0;
   uint64_t LastStoreAnswer = 0;
-  uint64_t SuspendedAt = 0;
-  Awaited Waiting = Awaited::Nothing;
+  std::vector<StoreEntry> Stores;
+  std::array<RegisterRequest, NumRegisters> Registers{};
 };
 
 } // namespace tp

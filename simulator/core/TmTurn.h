@@ -60,7 +60,9 @@ public:
   }
 
   /// The same for a TM with a memory system.
-  uint64_t run(TmMemory &Memory) {
+  /// \p Undecided is of its TPs, and kept from turn to turn.
+  uint64_t run(TmMemory &Memory, std::span<uint64_t> Undecided) {
+    UndecidedFrom = Undecided;
     R.Memory = &Memory;
     R.Unanswered = 0;
     LastAdvance = R.WindowStart;
@@ -138,44 +140,54 @@ private:
     Free[R.Limit] = AtLimit;
     R.Limit = R.End;
     R.swapLog(R.OwnAccessesOf[Tp]);
+    noteUndecided(Tp);
   }
 
-  /// The first cycle in which a TP may issue again.
+  /// The first cycle in which a TP may issue again, if that is within the
+  /// window.
   uint64_t frontier(uint32_t Tp) const {
+    uint64_t From = UndecidedFrom[Tp];
+    if (From == NeverCycle)
+      return NextCycles[Tp];
+    return std::max(From, LastAdvance + R.L1Latency);
+  }
+
+  /// A TP has stopped, or there was an answer for it.
+  void noteUndecided(uint32_t Tp) { UndecidedFrom[Tp] = undecidedFrom(Tp); }
+
+  /// If the TP waits for what the L1 has yet to decide, the first cycle in
+  /// which it may go on for all that is known when it is asked; else
+  /// NeverCycle.
+  uint64_t undecidedFrom(uint32_t Tp) const {
     const Thread &T = Tps[Tp];
     const ThreadRequests &Requests = *T.Requests;
+    if (R.L1Latency == 0)
+      return NeverCycle;
     switch (Requests.waitsFor()) {
     case Awaited::Nothing:
-      return NextCycles[Tp];
+    case Awaited::Line:
+      return NeverCycle;
     case Awaited::Sources: {
       auto *S = static_cast<const Slot<Word> *>(T.Resume);
-      uint64_t Bound = Requests.suspendedAt();
-      for (uint8_t Source : S->Instruction.Source)
-        if (ready::isPending(T.Ready[Source])) {
-          const auto &Request = Requests.request(Source);
-          Bound =
-              std::max(Bound, earliestAnswer(Request.Issued, Request.GoneOn));
-        }
-      return Bound;
+      uint64_t From = Requests.suspendedAt();
+      for (uint8_t Source : S->Instruction.Source) {
+        if (!ready::isPending(T.Ready[Source]))
+          continue;
+        const auto &Request = Requests.request(Source);
+        if (Request.GoneOn)
+          return NeverCycle;
+        From = std::max(From, Request.issuedBefore(Requests.suspendedAt()) +
+                                  R.L1Latency);
+      }
+      return From;
     }
     case Awaited::StoreEntry:
-      return std::max(
-          Requests.suspendedAt(),
-          earliestAnswer(LastAdvance, Requests.oldestStore().GoneOn));
+      return Requests.oldestStore().GoneOn ? NeverCycle
+                                           : Requests.suspendedAt();
     case Awaited::AllStores:
-      return std::max(Requests.suspendedAt(),
-                      earliestAnswer(LastAdvance, Requests.hasStoreGoneOn()));
-    case Awaited::Line:
-      return WindowEnd;
+      return Requests.hasStoreGoneOn() ? NeverCycle : Requests.suspendedAt();
     }
     __builtin_unreachable();
-  }
-
-  /// The earliest cycle for which an unanswered request can still be answered.
-  uint64_t earliestAnswer(uint64_t Issued, bool GoneOn) const {
-    if (GoneOn || R.L1Latency == 0)
-      return WindowEnd;
-    return std::max(Issued, LastAdvance) + R.L1Latency;
   }
 
   /// Decides where the lines come from that were missed before \p Limit, and
@@ -235,8 +247,11 @@ private:
         if (ready::isPending(Ready))
           Ready = ready::withCycle(Ready, Answer.ReadyCycle - R.Epoch);
       }
-      if (Known && Requests.waitsFor() != Awaited::Nothing)
+      if (Requests.waitsFor() == Awaited::Nothing)
+        continue;
+      if (Known)
         NextCycles[Answer.Tp] = waiting::resume(&T, &R);
+      noteUndecided(Answer.Tp);
     }
     R.Answers.clear();
   }
@@ -248,6 +263,9 @@ private:
   const uint32_t FirstPriority;
   const uint64_t WindowEnd;
   Word *Free;
+  /// Of each TP that waits for what the L1 has yet to decide, the first cycle
+  /// in which it may go on; NeverCycle of the others.
+  std::span<uint64_t> UndecidedFrom;
   /// The cycle before which the TM's memory has decided everything.
   uint64_t LastAdvance = 0;
 };

@@ -46,7 +46,7 @@ void chargeSources(Thread *T, const Slot<Word> *S, TmRunner<Word> *R,
     if (T->Requests)
       for (uint8_t Source : S->Instruction.Source)
         if (T->Ready[Source] == Latest)
-          Level = std::max(Level, T->Requests->request(Source).Level);
+          Level = std::max(Level, T->Requests->request(Source).level());
     Reason = lossOf(Level);
   }
   chargeProducer(T, wordOf(S, R), R, Reason, ready::producerOf(Latest), Cycles);

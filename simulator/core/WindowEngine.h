@@ -125,6 +125,7 @@ private:
   /// requests.
   std::unique_ptr<MemorySystem> Hierarchy;
   std::vector<ThreadRequests> Requests;
+  std::vector<uint64_t> UndecidedFrom;
   /// Requests of each TM that are under way.
   std::vector<int64_t> Unanswered;
 
@@ -186,6 +187,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(
   if (!this->Hierarchy)
     return;
   Unanswered.resize(Chip.TmCount);
+  UndecidedFrom.resize(Threads.size(), NeverCycle);
   Requests.resize(Threads.size(), ThreadRequests(Chip.StoreBufferEntries));
   for (uint32_t I = 0; I != Threads.size(); ++I)
     Threads[I].Requests = &Requests[I];
@@ -335,7 +337,9 @@ uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
   if (!Hierarchy)
     return Turn.run();
   Hierarchy->prefetch(Tm + 1);
-  uint64_t Next = Turn.run(Hierarchy->tm(Tm));
+  uint64_t Next =
+      Turn.run(Hierarchy->tm(Tm),
+               std::span(UndecidedFrom).subspan(Begin, Chip.TpsPerTm));
   Unanswered[Tm] += R.Unanswered;
   return Next;
 }

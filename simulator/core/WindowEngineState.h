@@ -84,6 +84,7 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
   A(NextCycles);
   A(Schedule);
   A(Unanswered);
+  A(UndecidedFrom);
   A(WindowEnd);
   A(Epoch);
   A(Waiting);
