@@ -10,6 +10,9 @@
 #include "simulator/core/Archive.h"
 #include "simulator/memory/MemoryRequest.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -51,44 +54,59 @@ struct AccessBefore {
   }
 };
 
-/// Accesses by index.
+/// Accesses by index. The lowest free index is used first: so a TM's accesses
+/// stay in few lines of the host's cache.
 class AccessPool {
 public:
   Access &operator[](uint32_t Index) { return Accesses[Index]; }
   const Access &operator[](uint32_t Index) const { return Accesses[Index]; }
 
   uint32_t add(const Access &A) {
-    if (FirstFree == NoIndex) {
-      Accesses.push_back(A);
-      return uint32_t(Accesses.size() - 1);
-    }
     uint32_t Index = FirstFree;
-    FirstFree = Accesses[Index].Next;
+    if (Index == Accesses.size())
+      grow();
     Accesses[Index] = A;
+    Free[Index / 64] &= ~(uint64_t(1) << Index % 64);
+    findFree(Index / 64);
     return Index;
   }
 
   void release(uint32_t Index) {
-    Accesses[Index].Next = FirstFree;
-    FirstFree = Index;
+    Free[Index / 64] |= uint64_t(1) << Index % 64;
+    FirstFree = std::min(FirstFree, Index);
   }
 
   /// Brings the next free accesses into the host's cache.
   void prefetch() const {
-    if (FirstFree == NoIndex)
-      return;
-    __builtin_prefetch(Accesses.data() + FirstFree, 1);
-    __builtin_prefetch(Accesses.data() + (FirstFree ^ 2), 1);
+    __builtin_prefetch(Free.data(), 1);
+    for (uint32_t I = 0; I != 8; I += 2)
+      __builtin_prefetch(Accesses.data() + FirstFree + I, 1);
   }
 
   void serialize(Archive &A) {
     A(Accesses);
+    A(Free);
     A(FirstFree);
   }
 
 private:
+  void grow() {
+    Accesses.resize(Accesses.size() + 64);
+    Free.push_back(~uint64_t(0));
+  }
+  /// Sets FirstFree, which is not below the word \p Word of Free.
+  void findFree(size_t Word) {
+    while (Word != Free.size() && Free[Word] == 0)
+      ++Word;
+    FirstFree = uint32_t(Word * 64);
+    if (Word != Free.size())
+      FirstFree += uint32_t(std::countr_zero(Free[Word]));
+  }
+
   std::vector<Access> Accesses;
-  uint32_t FirstFree = NoIndex;
+  /// A bit for each access.
+  std::vector<uint64_t> Free;
+  uint32_t FirstFree = 0;
 };
 
 /// Accesses of a pool, first in first out.
