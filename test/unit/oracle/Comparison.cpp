@@ -104,6 +104,44 @@ void compareCounts(Differences &D, const Statistics &Model,
   }
 }
 
+void compareCache(Differences &D, const std::string &Name,
+                  const std::optional<CacheStatistics> &Model,
+                  const std::optional<CacheStatistics> &Simulated) {
+  D.compare(Name + " present", Model.has_value(), Simulated.has_value());
+  if (!Model || !Simulated)
+    return;
+  D.compare(Name + " loads", Model->Loads, Simulated->Loads);
+  D.compare(Name + " stores", Model->Stores, Simulated->Stores);
+  D.compare(Name + " atomics", Model->Atomics, Simulated->Atomics);
+  D.compare(Name + " hits", Model->Hits, Simulated->Hits);
+  D.compare(Name + " misses", Model->Misses, Simulated->Misses);
+  D.compare(Name + " merged", Model->Merged, Simulated->Merged);
+  D.compare(Name + " bank conflict cycles", Model->BankConflictCycles,
+            Simulated->BankConflictCycles);
+  D.compare(Name + " miss register waits", Model->MissRegisterWaitCycles,
+            Simulated->MissRegisterWaitCycles);
+  D.compare(Name + " bytes read", Model->BytesRead, Simulated->BytesRead);
+}
+
+void compareMemory(Differences &D, const std::optional<MemoryStatistics> &Model,
+                   const std::optional<MemoryStatistics> &Simulated) {
+  D.compare("memory system", Model.has_value(), Simulated.has_value());
+  if (!Model || !Simulated)
+    return;
+  compareCache(D, "L1", Model->L1, Simulated->L1);
+  compareCache(D, "L2", Model->L2, Simulated->L2);
+  for (size_t I = 0; I != Model->DramChannels.size(); ++I) {
+    std::string Name = "channel " + std::to_string(I);
+    const DramChannelStatistics &M = Model->DramChannels[I];
+    const DramChannelStatistics &S = Simulated->DramChannels[I];
+    D.compare(Name + " reads", M.Reads, S.Reads);
+    D.compare(Name + " writes", M.Writes, S.Writes);
+    D.compare(Name + " row hits", M.RowHits, S.RowHits);
+    D.compare(Name + " row conflicts", M.RowConflicts, S.RowConflicts);
+    D.compare(Name + " busy ticks", M.BusBusyTicks, S.BusBusyTicks);
+  }
+}
+
 std::vector<uint8_t> contents(const Memory &Global) {
   return {Global.data() + kGlobalMemoryBegin, Global.data() + Global.size()};
 }
@@ -163,6 +201,7 @@ std::string differences(const RunRecord &Model, const RunRecord &Simulated) {
   Differences D;
   D.compare("run", describe(Model.Result), describe(Simulated.Result));
   compareCounts(D, Model.Counts, Simulated.Counts);
+  compareMemory(D, Model.Counts.Memory, Simulated.Counts.Memory);
   for (size_t I = 0; I != Model.Registers.size(); ++I) {
     std::string Name = "thread " + std::to_string(I);
     for (unsigned R = 0; R != Model.Registers[I].size(); ++R)

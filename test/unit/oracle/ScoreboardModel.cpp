@@ -75,7 +75,7 @@ RunResult ScoreboardModel::run(uint64_t MaxCycles) {
   settleAll();
   Counts.Cycles = Cycle;
   if (Hierarchy)
-    Counts.Memory = Hierarchy->statistics();
+    Counts.Memory = Hierarchy->statistics(WindowEnd);
   for (const ModelThread &T : Threads)
     Counts.Threads.push_back(T.Counts);
   return Result;
