@@ -10,6 +10,7 @@
 #include "simulator/core/Archive.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,8 +31,7 @@ public:
   void settle() {
     if (Added.empty())
       return;
-    if (!std::is_sorted(Added.begin(), Added.end(), Before()))
-      std::sort(Added.begin(), Added.end(), Before());
+    sortAdded();
     if (Head == Sorted.size()) {
       Sorted.swap(Added);
       Head = 0;
@@ -70,6 +70,37 @@ public:
   }
 
 private:
+  static constexpr uint64_t MaxSpan = 256;
+
+  /// Entries come from a few cycles: they are counted by cycle and put into
+  /// their places; only those of one cycle are then compared.
+  void sortAdded() {
+    if (std::is_sorted(Added.begin(), Added.end(), Before()))
+      return;
+    auto [Least, Most] = std::ranges::minmax_element(Added, {}, &T::Cycle);
+    uint64_t First = Least->Cycle;
+    uint64_t Span = Most->Cycle - First + 1;
+    if (Added.size() < 12 || Span > MaxSpan) {
+      std::sort(Added.begin(), Added.end(), Before());
+      return;
+    }
+    std::array<uint32_t, MaxSpan + 1> Places;
+    std::fill_n(Places.begin(), Span + 1, 0);
+    for (const T &Entry : Added)
+      ++Places[Entry.Cycle - First + 1];
+    for (uint64_t I = 1; I != Span; ++I)
+      Places[I] += Places[I - 1];
+    Scratch.resize(Added.size());
+    for (const T &Entry : Added)
+      Scratch[Places[Entry.Cycle - First]++] = Entry;
+    Added.swap(Scratch);
+    // Places[I] is now the end of the I-th cycle.
+    for (uint64_t I = 0, Begin = 0; I != Span; Begin = Places[I++])
+      if (Places[I] - Begin > 1)
+        std::sort(Added.begin() + ptrdiff_t(Begin),
+                  Added.begin() + ptrdiff_t(Places[I]), Before());
+  }
+
   void mergeAdded() {
     Sorted.erase(Sorted.begin(), Sorted.begin() + ptrdiff_t(Head));
     Head = 0;
@@ -86,6 +117,7 @@ private:
   std::vector<T> Sorted;
   size_t Head = 0;
   std::vector<T> Added;
+  std::vector<T> Scratch;
 };
 
 } // namespace tp
