@@ -96,8 +96,11 @@ template <class Word> uint64_t resume(Thread *T, TmRunner<Word> *R) {
     __builtin_unreachable();
   case Awaited::Sources: {
     ReadyWord Latest = latestSource<3>(T, S);
-    if (ready::isPending(Latest))
+    if (ready::isPending(Latest)) {
+      // Who is charged if the run ends now.
+      T->LastProducer = ready::producerOf(Latest);
       return NeverCycle;
+    }
     To = std::max(From, R->Epoch + ready::cycleOf(Latest));
     if (To != From)
       chargeSources(T, S, R, Latest, To - From);
