@@ -72,7 +72,7 @@ void checkPrograms(ProgramShape Shape, ChipMaker MakeChip, uint64_t Count,
     RandomSource Random(Seed);
     ChipConfig Chip = MakeChip(Random);
     RandomProgram Source(Random, Shape, Chip);
-    uint64_t MaxCycles = Random.oneIn(10) ? Random.between(1, 2000) : 20000;
+    uint64_t MaxCycles = Random.oneIn(4) ? Random.between(1, 1000) : 20000;
     RunRecord Model = runModel(Chip, Source, MaxCycles);
     C.add(Model);
     std::string Different =
