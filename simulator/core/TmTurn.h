@@ -19,6 +19,7 @@
 #ifndef TP_SIMULATOR_CORE_TMTURN_H
 #define TP_SIMULATOR_CORE_TMTURN_H
 
+#include "simulator/core/HostPrefetch.h"
 #include "simulator/core/Waiting.h"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ public:
     uint64_t First = NeverCycle;
     for (uint32_t Priority = 0; Priority != Tps.size(); ++Priority) {
       uint32_t Tp = tpOf(Priority);
+      prefetchBehind(Priority);
       if (NextCycles[Tp] < WindowEnd)
         runTp(Tp, Priority);
       First = std::min(First, NextCycles[Tp]);
@@ -98,6 +100,18 @@ private:
     return Tp < Tps.size() ? Tp : Tp - uint32_t(Tps.size());
   }
 
+  /// Brings what the next TPs will touch into the host's cache: of the second
+  /// next its state, of the next, whose state is there, the top of its stack.
+  void prefetchBehind(uint32_t Priority) const {
+    if (Priority + 2 < Tps.size())
+      prefetchThread(Tps[tpOf(Priority + 2)]);
+    if (Priority + 1 >= Tps.size())
+      return;
+    uint32_t Next = tpOf(Priority + 1);
+    if (NextCycles[Next] < WindowEnd)
+      prefetchStack(Tps[Next], *R.Chip.Chip);
+  }
+
   void runTp(uint32_t Tp, uint32_t Priority) {
     R.OwnLogBegin = R.Log.size();
     R.OwnWords = 0;
@@ -122,6 +136,8 @@ private:
     uint64_t Least = WindowEnd;
     for (uint32_t Priority = 0; Priority != Tps.size(); ++Priority) {
       uint32_t Tp = tpOf(Priority);
+      if (LastAdvance == R.WindowStart)
+        prefetchBehind(Priority);
       if (NextCycles[Tp] < Least)
         runTpInSweep(Tp, Priority, Least);
       Least = std::min(Least, frontier(Tp));

@@ -80,6 +80,8 @@ private:
   /// The part of a window that a host thread does.
   void runTms(Runner &R);
   uint64_t runTm(Runner &R, uint32_t Tm);
+  /// The turn of this TM comes next.
+  void prefetchTurn(uint32_t Tm) const;
   /// The rest of it.
   void finishWindow();
   /// What the TMs' memories share.
@@ -293,8 +295,21 @@ void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
     size_t Begin = NextDue.fetch_add(Share, std::memory_order_relaxed);
     if (Begin >= Due.size())
       return;
-    for (size_t I = Begin; I != std::min(Begin + Share, Due.size()); ++I)
+    size_t End = std::min(Begin + Share, Due.size());
+    for (size_t I = Begin; I != End; ++I) {
+      if (I + 1 != End)
+        prefetchTurn(Due[I + 1]);
       TurnEnds[Due[I]] = runTm(R, Due[I]);
+    }
+  }
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::prefetchTurn(uint32_t Tm) const {
+  for (uint32_t Priority = 0; Priority != std::min(2u, Chip.TpsPerTm);
+       ++Priority) {
+    uint32_t Tp = (FirstPriority + Priority) % Chip.TpsPerTm;
+    prefetchThread(Threads[Tm * Chip.TpsPerTm + Tp]);
   }
 }
 
