@@ -17,7 +17,7 @@ BodyLibrary::instantiate(LLVMContext &Context) const {
   StringRef Bytes(reinterpret_cast<const char *>(Bitcode.data()),
                   Bitcode.size());
   Expected<std::unique_ptr<Module>> Result =
-      parseBitcodeFile(MemoryBufferRef(Bytes, "steps"), Context);
+      getLazyBitcodeModule(MemoryBufferRef(Bytes, "steps"), Context);
   if (!Result)
     return Result.takeError();
   for (Function &F : **Result)

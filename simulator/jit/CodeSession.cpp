@@ -6,6 +6,7 @@
 
 #include "simulator/jit/CodeSession.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/Analysis/CGSCCPassManager.h"
 #include "llvm/ExecutionEngine/Orc/ExecutionUtils.h"
 #include "llvm/Passes/PassBuilder.h"
@@ -61,6 +62,25 @@ static FunctionPassManager passesAfterSpecialization() {
   return Passes;
 }
 
+/// Reads the bodies of the functions that are called, and drops the others:
+/// most of the library is not used by one batch.
+static void materializeUsed(Module &M) {
+  for (bool Found = true; Found;) {
+    Found = false;
+    for (Function &F : M) {
+      if (!F.isMaterializable() || F.use_empty())
+        continue;
+      Found = true;
+      // The bitcode is the simulator's own.
+      cantFail(F.materialize());
+    }
+  }
+  for (Function &F : make_early_inc_range(M))
+    if (F.isMaterializable())
+      F.eraseFromParent();
+  cantFail(M.materializeAll());
+}
+
 void optimize(Module &M, function_ref<void(Function &)> Specialize) {
   LoopAnalysisManager Loops;
   FunctionAnalysisManager Functions;
@@ -73,6 +93,7 @@ void optimize(Module &M, function_ref<void(Function &)> Specialize) {
   Builder.registerLoopAnalyses(Loops);
   Builder.crossRegisterProxies(Loops, Functions, Components, Modules);
 
+  materializeUsed(M);
   ModulePassManager Inlining;
   Inlining.addPass(GlobalDCEPass());
   Inlining.addPass(AlwaysInlinerPass(/*InsertLifetime=*/false));

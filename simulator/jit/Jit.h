@@ -22,7 +22,7 @@ struct JitOptions {
   /// An instruction must have been executed so often by the interpreter since
   /// something was last found hot: then the interpreter has lost about the time
   /// that compiling it takes.
-  uint64_t HotCount = 500'000;
+  uint64_t HotCount = 100'000;
   /// The most that the compiler may take of a host thread, as a share of the
   /// time since the start: a short run must not pay for code that it will
   /// hardly use.
