@@ -28,8 +28,8 @@ struct SegmentStep {
 /// at any.
 using Segment = std::vector<SegmentStep>;
 
-/// The longest segment. A thread that a window's end stops within one goes on in
-/// the interpreter to the segment's end: longer ones leave more to it.
+/// The longest segment. A thread that a window's end stops within one goes on
+/// in the interpreter to the segment's end: longer ones leave more to it.
 inline constexpr size_t MaxSegmentSteps = 8;
 
 /// The segment that begins at \p Head: along the hotter side of each branch, up
