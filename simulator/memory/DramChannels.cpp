@@ -12,12 +12,13 @@
 
 namespace tp {
 
-DramChannels::DramChannels(const ChipConfig &Chip) : Mapping(*Chip.Dram) {
-  uint64_t ChipKHz = clockKHz(Chip.ClockGHz);
-  WriteAnswerCycles = minimumDramReadCycles(*Chip.Dram, ChipKHz) -
-                      minimumDramWriteCycles(*Chip.Dram);
-  for (uint32_t I = 0; I != Chip.Dram->Channels; ++I)
-    Channels.push_back({DramChannel(*Chip.Dram, ChipKHz), {}, {}});
+DramChannels::DramChannels(const DramConfig &Config, double ChipGHz)
+    : Mapping(Config),
+      WriteAnswerCycles(minimumDramReadCycles(Config, clockKHz(ChipGHz)) -
+                        minimumDramWriteCycles(Config)) {
+  Channels.reserve(Config.Channels);
+  for (uint32_t I = 0; I != Config.Channels; ++I)
+    Channels.push_back({DramChannel(Config, clockKHz(ChipGHz)), {}, {}});
 }
 
 void DramChannels::add(const BurstRequest &Request) {
@@ -59,6 +60,7 @@ uint64_t DramChannels::underWay() const {
 std::vector<DramChannelStatistics>
 DramChannels::statistics(uint64_t Cycle) const {
   std::vector<DramChannelStatistics> Counts;
+  Counts.reserve(Channels.size());
   for (const Channel &C : Channels)
     Counts.push_back(C.Controller.statistics(Cycle));
   return Counts;

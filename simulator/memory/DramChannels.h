@@ -7,7 +7,7 @@
 #ifndef TP_SIMULATOR_MEMORY_DRAMCHANNELS_H
 #define TP_SIMULATOR_MEMORY_DRAMCHANNELS_H
 
-#include "simulator/chip/ChipConfig.h"
+#include "simulator/chip/MemoryConfig.h"
 #include "simulator/memory/TimeQueue.h"
 #include "simulator/memory/dram/DramChannel.h"
 
@@ -40,7 +40,7 @@ struct BurstAnswer {
 /// All channels, with what has been sent to them.
 class DramChannels {
 public:
-  explicit DramChannels(const ChipConfig &Chip);
+  DramChannels(const DramConfig &Config, double ChipGHz);
 
   uint32_t size() const { return uint32_t(Channels.size()); }
 

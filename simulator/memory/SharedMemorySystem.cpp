@@ -36,7 +36,7 @@ SharedMemorySystem::SharedMemorySystem(const ChipConfig &Chip)
         Chip, uint32_t(Groups.size()), First,
         All.subspan(First, std::min(Size, Chip.TmCount - First))));
   if (Chip.Dram) {
-    Dram.emplace(Chip);
+    Dram = std::make_unique<DramChannels>(*Chip.Dram, Chip.ClockGHz);
     Stages = {Step::Groups, Step::ToChannels, Step::Channels, Step::ToGroups,
               Step::Deliver};
   } else {

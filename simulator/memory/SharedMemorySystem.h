@@ -15,7 +15,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace tp {
@@ -76,7 +75,8 @@ private:
   std::vector<Step> Stages;
   std::vector<std::unique_ptr<TmPath>> Tms;
   std::vector<std::unique_ptr<TmGroup>> Groups;
-  std::optional<DramChannels> Dram;
+  /// Null without DRAM.
+  std::unique_ptr<DramChannels> Dram;
 };
 
 } // namespace tp

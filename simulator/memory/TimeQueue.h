@@ -57,7 +57,7 @@ public:
   /// Brings what the next calls write into the host's cache.
   void prefetch() const {
     for (const std::vector<T> *Buffer : {&Sorted, &Added})
-      for (size_t Offset = 0; Offset != 4 * 64; Offset += 64)
+      for (size_t Offset = 0; Offset != 256; Offset += 64)
         __builtin_prefetch(
             reinterpret_cast<const char *>(Buffer->data()) + Offset, 1);
   }
@@ -90,10 +90,13 @@ private:
       ++Places[Entry.Cycle - First + 1];
     for (uint64_t I = 1; I != Span; ++I)
       Places[I] += Places[I - 1];
-    Scratch.resize(Added.size());
+    size_t Count = Added.size();
+    if (Scratch.size() < Count)
+      Scratch.resize(Count);
     for (const T &Entry : Added)
       Scratch[Places[Entry.Cycle - First]++] = Entry;
     Added.swap(Scratch);
+    Added.resize(Count);
     // Places[I] is now the end of the I-th cycle.
     for (uint64_t I = 0, Begin = 0; I != Span; Begin = Places[I++])
       if (Places[I] - Begin > 1)

@@ -16,8 +16,8 @@ TmGroup::TmGroup(const ChipConfig &Chip, uint32_t Number, uint32_t FirstTm,
       MemoryLatency(Chip.MemoryLatency),
       HasUnawaited(Chip.L1 && Chip.L1->Writes == WritePolicy::Back), Tms(Tms) {
   if (Chip.L2)
-    L2.emplace(*Chip.L2, ServedBy::L2, /*DoesAtomics=*/true, Pool,
-               static_cast<CacheClient &>(*this));
+    L2 = &OwnL2.emplace(*Chip.L2, ServedBy::L2, /*DoesAtomics=*/true, Pool,
+                        static_cast<CacheClient &>(*this));
 }
 
 void TmGroup::advance(uint64_t Limit) {
@@ -150,7 +150,8 @@ void TmGroup::addTo(MemoryStatistics &Sum) const {
     Sum.SentByTms += Sent;
     return;
   }
-  *Sum.L2 += L2->statistics();
+  if (Sum.L2)
+    *Sum.L2 += L2->statistics();
   Sum.SentByTmsUnderWay += Requests.size() + L2->queueLength();
   Sum.SentByL2s += Sent;
 }

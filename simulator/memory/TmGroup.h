@@ -98,7 +98,9 @@ private:
 
   AccessPool Pool;
   TimeQueue<Access, AccessBefore> Requests;
-  std::optional<Cache> L2;
+  std::optional<Cache> OwnL2;
+  /// It, or null.
+  Cache *L2 = nullptr;
   std::vector<BurstAnswer> Answers;
   uint32_t NextSequence = 0;
   /// By the L2; without one, what atomics write.

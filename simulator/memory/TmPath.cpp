@@ -15,13 +15,13 @@ TmPath::TmPath(const ChipConfig &Chip, uint32_t Granule)
       L1Latency(Chip.L1 ? Chip.L1->Latency : 0),
       L1SectorBytes(Chip.L1 ? Chip.L1->SectorBytes : 0) {
   if (Chip.L1)
-    L1.emplace(*Chip.L1, ServedBy::L1, /*DoesAtomics=*/false, Pool,
-               static_cast<CacheClient &>(*this));
+    L1 = &OwnL1.emplace(*Chip.L1, ServedBy::L1, /*DoesAtomics=*/false, Pool,
+                        static_cast<CacheClient &>(*this));
   if (Chip.Crossbar) {
-    RequestPort.emplace(Chip.Crossbar->RequestBytesPerCycle,
-                        Chip.Crossbar->Latency);
-    AnswerPort.emplace(Chip.Crossbar->AnswerBytesPerCycle,
-                       Chip.Crossbar->Latency);
+    RequestPort = &OwnRequestPort.emplace(Chip.Crossbar->RequestBytesPerCycle,
+                                          Chip.Crossbar->Latency);
+    AnswerPort = &OwnAnswerPort.emplace(Chip.Crossbar->AnswerBytesPerCycle,
+                                        Chip.Crossbar->Latency);
   }
 }
 
@@ -167,7 +167,7 @@ void TmPath::deliver(uint64_t Limit) {
 }
 
 void TmPath::receive(uint32_t Tag, uint64_t Cycle, ServedBy Level) {
-  if (Tag & RegisterTag)
+  if (L1 && Tag & RegisterTag)
     L1->arrive(Tag & ~RegisterTag, Cycle, Level);
   else if (--Pool[Tag].Remaining == 0)
     answer(Tag, Cycle, Level);
@@ -187,19 +187,20 @@ void TmPath::prefetchBuffers() const {
 }
 
 void TmPath::addTo(MemoryStatistics &Sum) const {
-  if (L1) {
+  if (L1 && Sum.L1) {
     *Sum.L1 += L1->statistics();
     Sum.WaitingAtL1 += L1->queueLength();
   }
   Sum.SentByTms += Sent;
   Sum.SentByTmsUnderWay += Outgoing.size();
-  if (!RequestPort)
+  if (!RequestPort || !Sum.Crossbar)
     return;
-  Sum.Crossbar->Requests += Messages;
-  Sum.Crossbar->RequestBytes += RequestPort->bytes();
-  Sum.Crossbar->AnswerBytes += AnswerPort->bytes();
-  Sum.Crossbar->RequestWaitCycles += RequestPort->waitCycles();
-  Sum.Crossbar->AnswerWaitCycles += AnswerPort->waitCycles();
+  CrossbarStatistics &Crossbar = *Sum.Crossbar;
+  Crossbar.Requests += Messages;
+  Crossbar.RequestBytes += RequestPort->bytes();
+  Crossbar.AnswerBytes += AnswerPort->bytes();
+  Crossbar.RequestWaitCycles += RequestPort->waitCycles();
+  Crossbar.AnswerWaitCycles += AnswerPort->waitCycles();
 }
 
 void TmPath::serialize(Archive &A) {

@@ -121,9 +121,14 @@ private:
 
   AccessPool Pool;
   TimeQueue<MemoryRequest, RequestBefore> Requests;
-  std::optional<Cache> L1;
-  std::optional<CrossbarPort> RequestPort;
-  std::optional<CrossbarPort> AnswerPort;
+  /// @{ What the chip has of these, and where it is, or null.
+  std::optional<Cache> OwnL1;
+  std::optional<CrossbarPort> OwnRequestPort;
+  std::optional<CrossbarPort> OwnAnswerPort;
+  Cache *L1 = nullptr;
+  CrossbarPort *RequestPort = nullptr;
+  CrossbarPort *AnswerPort = nullptr;
+  /// @}
   /// A heap of what is on its way back.
   std::vector<ReturnMessage> Returns;
   /// Numbers of messages and of parts of them that were sent.

@@ -16,24 +16,24 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
-constexpr uint32_t A = 0x10000;
+static constexpr uint32_t A = 0x10000;
 /// Other lines of A's set.
-constexpr uint32_t B = A + 512;
-constexpr uint32_t C = A + 1024;
+static constexpr uint32_t B = A + 512;
+static constexpr uint32_t C = A + 1024;
 
-ChipConfig chipWithL1(CacheConfig L1 = smallL1()) {
+static ChipConfig chipWithL1(CacheConfig L1 = smallL1()) {
   ChipConfig Chip = smallChip();
   Chip.L1 = L1;
   return Chip;
 }
 
-CacheConfig writeBack() {
+static CacheConfig writeBack() {
   CacheConfig L1 = smallL1();
   L1.Writes = WritePolicy::Back;
   return L1;
 }
+
+namespace {
 
 TEST(L1Test, MissThenHit) {
   MemoryHarness M(chipWithL1());

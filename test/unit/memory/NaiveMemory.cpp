@@ -20,7 +20,7 @@ NaiveMemory::NaiveMemory(const ChipConfig &Chip) : Chip(Chip) {
     Tm New;
     if (Chip.L1)
       New.L1.emplace(*Chip.L1, ServedBy::L1,
-                     [this, Number](uint64_t Cycle, NaiveAccess Access) {
+                     [this, Number](uint64_t Cycle, const NaiveAccess &Access) {
                        Departures.insert(
                            {{Cycle, Number, NextSequence++},
                             [=, this] { leaveTm(Number, Access); }});
@@ -33,7 +33,7 @@ NaiveMemory::NaiveMemory(const ChipConfig &Chip) : Chip(Chip) {
   }
   for (uint32_t Number = 0; Number != L2Count; ++Number)
     L2s.emplace_back(*Chip.L2, ServedBy::L2,
-                     [this, Number](uint64_t Cycle, NaiveAccess Access) {
+                     [this, Number](uint64_t Cycle, const NaiveAccess &Access) {
                        arriveMemory(Cycle, Access, Number);
                      });
   if (!Chip.Dram)
@@ -117,7 +117,7 @@ void NaiveMemory::arriveShared(uint32_t Number, uint64_t Cycle,
   uint32_t Granule = Chip.L2     ? Chip.L2->SectorBytes
                      : Chip.Dram ? Chip.Dram->BurstBytes
                                  : 1 << 16;
-  auto Parts = std::make_shared<unsigned>(0);
+  unsigned *Parts = &PartsLeft.emplace_back(0);
   uint32_t End = Access.Address + Access.Bytes;
   for (uint32_t Begin = Access.Address; Begin != End;) {
     uint32_t PartEnd = std::min(End, (Begin / Granule + 1) * Granule);
@@ -149,16 +149,18 @@ void NaiveMemory::arriveShared(uint32_t Number, uint64_t Cycle,
 void NaiveMemory::answerTm(uint32_t Number, uint64_t Cycle, uint64_t Sequence,
                            uint32_t Bytes, const NaiveAnswer &Done,
                            ServedBy Level) {
+  auto Kept = std::make_shared<const NaiveAnswer>(Done);
   auto Deliver = [=, this](uint64_t Arrival) {
     Deliveries.insert(
-        {{Arrival, Number, NextSequence++}, [=] { Done(Arrival, Level); }});
+        {{Arrival, Number, NextSequence++}, [=] { (*Kept)(Arrival, Level); }});
   };
-  Returns.insert({{Cycle, Number, Sequence}, [=, this] {
-                    if (Chip.Crossbar)
-                      Tms[Number].Answers->put(Now, Bytes, Deliver);
-                    else
-                      Deliver(Now);
-                  }});
+  std::function<void()> Return = [=, this] {
+    if (Chip.Crossbar)
+      Tms[Number].Answers->put(Now, Bytes, Deliver);
+    else
+      Deliver(Now);
+  };
+  Returns.emplace(Key{Cycle, Number, Sequence}, Return);
 }
 
 void NaiveMemory::arriveMemory(uint64_t Cycle, const NaiveAccess &Access,

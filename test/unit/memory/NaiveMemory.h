@@ -43,7 +43,7 @@ struct NaiveAccess {
 class NaiveCache {
 public:
   /// \p Send takes what goes to the next level, and the cycle of departure.
-  using SendFunction = std::function<void(uint64_t, NaiveAccess)>;
+  using SendFunction = std::function<void(uint64_t, const NaiveAccess &)>;
   NaiveCache(const CacheConfig &Config, ServedBy Level, SendFunction Send)
       : Config(Config), Level(Level), Send(std::move(Send)),
         Sets(Config.Bytes / Config.LineBytes / Config.Ways),
@@ -162,6 +162,8 @@ private:
   std::vector<DramChannel> Channels;
   std::map<uint64_t, std::function<void(uint64_t)>> DramWaiting;
   Agenda DramArrivals;
+  /// Of all accesses there ever were.
+  std::deque<unsigned> PartsLeft;
   uint64_t NextDramTag = 0;
   uint64_t NextSequence = 0;
 };

@@ -40,7 +40,9 @@ private:
   std::mt19937 Bits;
 };
 
-CacheConfig randomCache(Random &R, uint32_t MostLatency) {
+} // namespace
+
+static CacheConfig randomCache(Random &R, uint32_t MostLatency) {
   CacheConfig Cache;
   Cache.LineBytes = R.powerOfTwo(5, 7);
   Cache.SectorBytes = std::min(Cache.LineBytes, R.powerOfTwo(4, 6));
@@ -55,7 +57,7 @@ CacheConfig randomCache(Random &R, uint32_t MostLatency) {
   return Cache;
 }
 
-DramConfig randomDram(Random &R) {
+static DramConfig randomDram(Random &R) {
   DramConfig Dram;
   Dram.ClockKHz = R.between(500000, 2000000);
   Dram.Channels = R.between(1, 3);
@@ -77,7 +79,7 @@ DramConfig randomDram(Random &R) {
   return Dram;
 }
 
-ChipConfig randomChip(Random &R) {
+static ChipConfig randomChip(Random &R) {
   ChipConfig Chip = smallChip();
   Chip.TmCount = R.between(1, 5);
   Chip.TpsPerTm = R.between(1, 6);
@@ -108,8 +110,8 @@ ChipConfig randomChip(Random &R) {
 }
 
 /// By TPs that issue at most one request in a cycle, in bursts with gaps.
-std::vector<TmRequest> randomRequests(Random &R, const ChipConfig &Chip,
-                                      uint64_t Cycles) {
+static std::vector<TmRequest> randomRequests(Random &R, const ChipConfig &Chip,
+                                             uint64_t Cycles) {
   std::vector<TmRequest> Requests;
   uint32_t Span = R.powerOfTwo(8, 13);
   uint32_t Density = R.between(1, 20);
@@ -141,9 +143,9 @@ std::vector<TmRequest> randomRequests(Random &R, const ChipConfig &Chip,
   return Requests;
 }
 
-Outcomes naiveOutcomes(const ChipConfig &Chip,
-                       const std::vector<TmRequest> &Requests,
-                       MemoryStatistics &Counts) {
+static Outcomes naiveOutcomes(const ChipConfig &Chip,
+                              const std::vector<TmRequest> &Requests,
+                              MemoryStatistics &Counts) {
   NaiveMemory Naive(Chip);
   auto Next = Requests.begin();
   uint64_t Idle = 0;
@@ -165,8 +167,8 @@ Outcomes naiveOutcomes(const ChipConfig &Chip,
 }
 
 /// Runs until nothing is left to do.
-void runRandomWindows(Random &R, const ChipConfig &Chip, MemoryHarness &M,
-                      size_t Requests) {
+static void runRandomWindows(Random &R, const ChipConfig &Chip,
+                             MemoryHarness &M, size_t Requests) {
   auto Longest = uint32_t(minimumRoundTrip(Chip));
   bool Skips = R.oneIn(2);
   while (M.outcomes().size() != Requests || M.nextEvent() != ~uint64_t(0)) {
@@ -185,8 +187,8 @@ void runRandomWindows(Random &R, const ChipConfig &Chip, MemoryHarness &M,
   }
 }
 
-void expectSame(const std::optional<CacheStatistics> &A,
-                const std::optional<CacheStatistics> &B) {
+static void expectSame(const std::optional<CacheStatistics> &A,
+                       const std::optional<CacheStatistics> &B) {
   ASSERT_EQ(A.has_value(), B.has_value());
   if (!A)
     return;
@@ -205,7 +207,7 @@ void expectSame(const std::optional<CacheStatistics> &A,
 }
 
 /// Fails the test with the earliest difference.
-void expectSame(const Outcomes &A, const Outcomes &Rules) {
+static void expectSame(const Outcomes &A, const Outcomes &Rules) {
   const Outcomes::value_type *First = nullptr;
   for (const Outcomes::value_type &Entry : Rules) {
     auto Found = A.find(Entry.first);
@@ -220,6 +222,8 @@ void expectSame(const Outcomes &A, const Outcomes &Rules) {
                   << (A.count(First->first) ? A.at(First->first).ReadyCycle : 0)
                   << ", by the rules in " << First->second.ReadyCycle;
 }
+
+namespace {
 
 class RandomMemoryTest : public testing::TestWithParam<unsigned> {};
 

@@ -12,13 +12,11 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
-constexpr uint32_t A = 0x10000;
+static constexpr uint32_t A = 0x10000;
 
 /// Five cycles each way; requests of 8 bytes go in one cycle, data back at 16
 /// bytes a cycle.
-CrossbarConfig smallCrossbar() {
+static CrossbarConfig smallCrossbar() {
   CrossbarConfig Crossbar;
   Crossbar.Latency = 5;
   Crossbar.RequestBytesPerCycle = 8;
@@ -28,7 +26,7 @@ CrossbarConfig smallCrossbar() {
 }
 
 /// L1 3 and L2 20 cycles, crossbar, memory 100, four TMs, two for each L2.
-ChipConfig fullChip() {
+static ChipConfig fullChip() {
   ChipConfig Chip = smallChip();
   Chip.TmCount = 4;
   Chip.L1 = smallL1();
@@ -37,6 +35,8 @@ ChipConfig fullChip() {
   Chip.TmsPerL2 = 2;
   return Chip;
 }
+
+namespace {
 
 // A load of four bytes: there in 10 + 5, memory until 115, back in 120.
 TEST(CrossbarTest, AloneInFrontOfMemory) {
@@ -245,9 +245,11 @@ TEST(L2Test, Fetch) {
   EXPECT_EQ(M.statistics().L2->Fetches, 2u);
 }
 
+} // namespace
+
 /// GDDR-like times at the chip's clock: a read of an open row takes
 /// 10 + 4 + 6 cycles, of a closed bank 12 more.
-DramConfig smallDram() {
+static DramConfig smallDram() {
   DramConfig Dram;
   Dram.ClockKHz = 1000000;
   Dram.Channels = 2;
@@ -265,10 +267,12 @@ DramConfig smallDram() {
   return Dram;
 }
 
-ChipConfig withDram(ChipConfig Chip) {
+static ChipConfig withDram(ChipConfig Chip) {
   Chip.Dram = smallDram();
   return Chip;
 }
+
+namespace {
 
 TEST(DramPathTest, AloneIsAskedByTheTms) {
   MemoryHarness M(withDram(smallChip()));
