@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #
-# The main job: compiles the path tracer for the TP and renders the Cornell box
-# on 4,096 simulated processors. Leaves out/cornell.png and out/cornell.json.
+# The main job: compiles the path tracer for the TP and renders two scenes on
+# 4,096 simulated processors: the Cornell box, and a conference room of 320,000
+# triangles whose model it downloads. Leaves the pictures and statistics as
+# out/cornell.{png,json} and out/conference_room.{png,json}.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,7 +12,15 @@ scripts/build.sh tpcc tp-runtime tpsim
 mkdir -p out
 build/bin/tpcc -O3 -g kernels/pathtracer/PathTracer.cpp -I . \
   -o out/pathtracer.elf
-build/bin/tpsim out/pathtracer.elf --chip report-512x8 \
-  --scene scenes/cornell/cornell.gltf --size 256x256 --spp 1 --depth 1 \
-  -o out/cornell.png --stats out/cornell.json
-echo "Wrote out/cornell.png and out/cornell.json"
+
+# render NAME SCENE
+render() {
+  echo
+  build/bin/tpsim out/pathtracer.elf --chip report-512x8 --scene "$2" \
+    --size 256x256 --spp 1 --depth 1 -o "out/$1.png" --stats "out/$1.json"
+  echo "Wrote out/$1.png and out/$1.json"
+}
+
+render cornell scenes/cornell/cornell.gltf
+scripts/scenes.sh conference_room
+render conference_room out/scenes/conference_room.glb

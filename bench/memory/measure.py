@@ -155,7 +155,7 @@ def draw(chip, chip_name, points, path):
     axes.set_xlabel("working set in KiB")
     axes.set_ylabel("cycles per load")
     axes.set_title(f"Dependent loads on {chip_name}")
-    axes.legend(loc="center left")
+    axes.legend(loc="lower right")
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None})
 
