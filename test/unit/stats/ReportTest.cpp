@@ -149,8 +149,7 @@ TEST(TableReport, ShowsSharesOfThreadCycles) {
 
 TEST(TableReport, ShowsLevelsAndCosts) {
   std::string Text = table(MemoryRun().summary());
-  EXPECT_THAT(Text,
-              HasSubstr("memory             10.0 %   under way 10.0"));
+  EXPECT_THAT(Text, HasSubstr("memory             10.0 %   under way 10.0"));
   EXPECT_THAT(Text, HasSubstr("INTADD               1               100"
                               "    50.0 %     0.50*     1.00*\n"));
   EXPECT_THAT(Text, HasSubstr("hits 75.0 %, merged 5.0 %"));
