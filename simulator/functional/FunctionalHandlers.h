@@ -67,6 +67,11 @@ template <Subnormals Mode> struct FunctionalHandlers {
     return trapAtFetch<TrapKind::FetchOutsideText>;
   }
 
+  /// Ends the turn before the instruction at hand.
+  __attribute__((preserve_none)) static void endTurn(TP_FUNCTIONAL_PARAMETERS) {
+    leave(TP_FUNCTIONAL_ARGUMENTS);
+  }
+
 private:
   using Context = FunctionalContext<Mode>;
   using Outcome = typename Context::Outcome;

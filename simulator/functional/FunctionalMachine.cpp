@@ -6,6 +6,7 @@
 
 #include "simulator/functional/FunctionalMachine.h"
 
+#include "simulator/functional/FunctionalCode.h"
 #include "simulator/functional/FunctionalText.h"
 
 #include <cassert>
@@ -27,6 +28,7 @@ public:
   RunResult run(const FunctionalLimits &Limits);
   Statistics statistics() const;
   std::vector<ArchitecturalState> threads() const;
+  void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
 
   FunctionalRunner Runner;
   std::vector<FunctionalThread> Threads;
@@ -43,8 +45,10 @@ private:
   Progress progress() const;
 
   const ChipConfig Chip;
+  const Program &Text;
   HostPages LocalStores;
   std::vector<FunctionalSlot> Slots;
+  std::unique_ptr<FunctionalCodeGenerator> Generator;
   /// Who has the next turn, so that a stop changes nothing.
   size_t Next = 0;
   /// Turns since a thread could go on the last time.
@@ -54,7 +58,7 @@ private:
 FunctionalMachine::Implementation::Implementation(const ChipConfig &Chip,
                                                   const Program &Text,
                                                   Memory &Global)
-    : Threads(Chip.threadCount()), Chip(Chip),
+    : Threads(Chip.threadCount()), Chip(Chip), Text(Text),
       LocalStores(Chip.threadCount() * localStoreStride(Chip)),
       Slots(decodeFunctional(Text, Chip.FlushToZero)) {
   Runner.Space = AddressSpace(Chip, Text, Global);
@@ -66,6 +70,19 @@ FunctionalMachine::Implementation::Implementation(const ChipConfig &Chip,
     Threads[I].NextWord = (Text.entry() - Text.textBegin()) / 4;
     Threads[I].LocalStoreBias = localStoreBias(Chip, LocalStores, I);
   }
+}
+
+void FunctionalMachine::Implementation::setCodeGenerator(
+    std::unique_ptr<FunctionalCodeGenerator> NewGenerator) {
+  Generator = std::move(NewGenerator);
+  FunctionalSubject Subject{&Text,
+                            &Runner,
+                            {},
+                            FunctionalHandlers<Subnormals::Keep>::endTurn,
+                            Chip.FlushToZero};
+  for (const FunctionalSlot &S : Slots)
+    Subject.Interpreter.push_back(S.Execute);
+  Generator->start(std::move(Subject));
 }
 
 void FunctionalMachine::Implementation::runTurn(FunctionalThread &T) {
@@ -127,6 +144,9 @@ FunctionalMachine::Implementation::run(const FunctionalLimits &Limits) {
       continue;
     }
     Idle = 0;
+    if (Generator)
+      for (auto [Word, Execute] : Generator->update())
+        Slots[Word].Execute = Execute;
     runTurn(T);
     if (Limits.Report && ++Turns % TurnsPerReport == 0 &&
         Clock::now() - LastReport > std::chrono::milliseconds(100)) {
@@ -187,6 +207,11 @@ void FunctionalMachine::setObserver(ProfileObserver *Observer) {
 
 void FunctionalMachine::setOutput(OutputFunction Function) {
   Machine->Runner.Output = std::move(Function);
+}
+
+void FunctionalMachine::setCodeGenerator(
+    std::unique_ptr<FunctionalCodeGenerator> Generator) {
+  Machine->setCodeGenerator(std::move(Generator));
 }
 
 RunResult FunctionalMachine::run(const FunctionalLimits &Limits) {

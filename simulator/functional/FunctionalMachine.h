@@ -22,6 +22,8 @@
 
 namespace tp {
 
+class FunctionalCodeGenerator;
+
 /// How long to run. What is not set limits nothing.
 struct FunctionalLimits {
   /// Each thread stops behind this profile marker; the run pauses when no
@@ -49,6 +51,9 @@ public:
   /// As for Engine.
   void setObserver(ProfileObserver *Observer);
   void setOutput(OutputFunction Function);
+  /// Generates code for what is hot, which changes no result: without one all
+  /// is interpreted. Before the first run().
+  void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
 
   /// Runs until all threads have halted, one trapped, or a limit is reached
   /// (Paused: the marker). A trap's cycle is the number of instructions that

@@ -6,6 +6,7 @@
 
 #include "simulator/tools/FunctionalRun.h"
 
+#include "simulator/functional/FunctionalJit.h"
 #include "simulator/functional/FunctionalMachine.h"
 #include "simulator/stats/FunctionalReport.h"
 #include "simulator/tools/Interrupt.h"
@@ -15,8 +16,17 @@ using namespace llvm;
 
 namespace tp {
 
-static RunResult run(FunctionalMachine &Machine, RunSetup &Loaded,
-                     RunConsole &Console, std::optional<uint32_t> StopMarker) {
+static Expected<RunResult> run(FunctionalMachine &Machine,
+                               const Options &Request, RunSetup &Loaded,
+                               RunConsole &Console,
+                               std::optional<uint32_t> StopMarker) {
+  if (Request.GenerateCode) {
+    Expected<std::unique_ptr<FunctionalCodeGenerator>> Generator =
+        makeFunctionalJit();
+    if (!Generator)
+      return Generator.takeError();
+    Machine.setCodeGenerator(std::move(*Generator));
+  }
   Machine.setOutput(
       [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
@@ -41,7 +51,11 @@ Expected<int> runFunctionally(const Options &Request, const ChipConfig &Chip,
   FunctionalMachine Machine(Chip, Loaded.Text, Loaded.Global);
   if (!Machine.error().empty())
     return createStringError(Machine.error());
-  RunResult Result = run(Machine, Loaded, Console, std::nullopt);
+  Expected<RunResult> Ended =
+      run(Machine, Request, Loaded, Console, std::nullopt);
+  if (!Ended)
+    return Ended.takeError();
+  const RunResult &Result = *Ended;
   HostSpeed Speed{Console.finish(), 1};
 
   Statistics Stats = Machine.statistics();
@@ -64,7 +78,11 @@ Expected<std::optional<int>> fastForward(const Options &Request,
   FunctionalMachine Beginning(Chip, Loaded.Text, Loaded.Global);
   if (!Beginning.error().empty())
     return createStringError(Beginning.error());
-  RunResult Result = run(Beginning, Loaded, Console, Request.FastForward);
+  Expected<RunResult> Ended =
+      run(Beginning, Request, Loaded, Console, Request.FastForward);
+  if (!Ended)
+    return Ended.takeError();
+  const RunResult &Result = *Ended;
   if (Result.End == RunResult::Halted)
     return createStringError(
         "--fast-forward " + Twine(*Request.FastForward) +

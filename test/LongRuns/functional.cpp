@@ -30,6 +30,13 @@
 // RUN: cmp %t.functional.png %t.cycles.png
 // RUN: cmp %t.functional.png %t.native.png
 
+// Generated code does and counts what the interpreter does.
+// DEFINE: %{larger} = --functional --quiet --per-pc --scene %scenes/cornell/cornell.gltf --size 160x160 --depth 2
+// RUN: tpsim %t.pt.elf %{larger} -o %t.jit.png --stats %t.jit.json
+// RUN: tpsim %t.pt.elf %{larger} -o %t.reference.png --stats %t.reference.json --engine=reference
+// RUN: cmp %t.jit.png %t.reference.png
+// RUN: cmp %t.jit.json %t.reference.json
+
 // A trap says how far its thread was.
 // RUN: tpcc -O1 -DTRAP %s -o %t.trap.elf
 // RUN: not tpsim --functional --quiet --chip 4x32 %t.trap.elf 2>&1 | FileCheck %s --check-prefix=TRAP
