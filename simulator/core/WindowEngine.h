@@ -78,7 +78,16 @@ private:
   /// On all host threads if the window is worth that.
   void share(const HostThreadPool::Job &Job);
   /// The part of a window that a host thread does.
-  void runTms(Runner &R);
+  void runTms(Runner &R, unsigned Number);
+  /// The host thread that runs the TM if it comes to that in time.
+  unsigned homeOf(uint32_t Tm) const {
+    return unsigned(uint64_t(Tm) * Pool->size() / Chip.TmCount);
+  }
+  /// Whether the TM was left in this window; it is not any more.
+  bool claim(uint32_t Tm) {
+    return Claims[Tm].load(std::memory_order_relaxed) != Claim &&
+           Claims[Tm].exchange(Claim, std::memory_order_relaxed) != Claim;
+  }
   uint64_t runTm(Runner &R, uint32_t Tm);
   /// The turn of this TM comes next.
   void prefetchTurn(uint32_t Tm) const;
@@ -137,8 +146,10 @@ private:
   std::optional<HostThreadPool> Pool;
   /// The resource words of the window's cycles before anything has issued.
   std::vector<Word> InitialFree;
-  /// The first TM of Schedule.due() that nobody has taken.
-  std::atomic<size_t> NextDue = 0;
+  /// Number of the window, and of each TM the last one in which a host thread
+  /// has taken it.
+  uint32_t Claim = 0;
+  std::vector<std::atomic<uint32_t>> Claims;
   /// Whether this window is worth waking other host threads for: it looks like
   /// the last one, which took LastWork of host time.
   static constexpr std::chrono::nanoseconds WorthSharing =
@@ -170,7 +181,7 @@ WindowEngine<Word, FlushToZero>::WindowEngine(
       Slots(decodeText<Word, FlushToZero>(Text, Chip, Layout)),
       Threads(Chip.threadCount()), NextCycles(Chip.threadCount()),
       Schedule(Chip.TmCount, Chip.ArbitrationWindow), TurnEnds(Chip.TmCount),
-      Hierarchy(std::move(Hierarchy)) {
+      Hierarchy(std::move(Hierarchy)), Claims(Chip.TmCount) {
   for (const Instruction &Decoded : Text.instructions())
     Opcodes.push_back(Decoded.Op);
   Context.Chip = &this->Chip;
@@ -283,25 +294,27 @@ void WindowEngine<Word, FlushToZero>::moveEpoch() {
 }
 
 template <class Word, bool FlushToZero>
-void WindowEngine<Word, FlushToZero>::runTms(Runner &R) {
+void WindowEngine<Word, FlushToZero>::runTms(Runner &R, unsigned Number) {
   R.WindowStart = WindowStart;
   R.Epoch = Epoch;
   R.End = R.Limit = WindowEnd - Epoch;
-  // Neighbouring TMs go to the same host thread, as few atomic operations as
-  // still balance the load.
+  // What a host thread has run before is in its caches: first those TMs, then
+  // what others have left, from the other end.
   const std::vector<uint32_t> &Due = Schedule.due();
-  size_t Share = std::max<size_t>(1, Due.size() / (Pool->size() * 8));
-  for (;;) {
-    size_t Begin = NextDue.fetch_add(Share, std::memory_order_relaxed);
-    if (Begin >= Due.size())
+  auto Run = [&](size_t I, size_t Next) {
+    if (!claim(Due[I]))
       return;
-    size_t End = std::min(Begin + Share, Due.size());
-    for (size_t I = Begin; I != End; ++I) {
-      if (I + 1 != End)
-        prefetchTurn(Due[I + 1]);
-      TurnEnds[Due[I]] = runTm(R, Due[I]);
-    }
-  }
+    if (Next < Due.size())
+      prefetchTurn(Due[Next]);
+    TurnEnds[Due[I]] = runTm(R, Due[I]);
+  };
+  for (size_t I = 0; I != Due.size(); ++I)
+    if (homeOf(Due[I]) == Number)
+      Run(I, I + 1);
+  if (Pool->size() == 1)
+    return;
+  for (size_t I = Due.size(); I-- != 0;)
+    Run(I, I - 1);
 }
 
 template <class Word, bool FlushToZero>
@@ -317,8 +330,8 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::runWindow() {
   using Clock = std::chrono::steady_clock;
   const std::vector<uint32_t> &Due = Schedule.take(WindowEnd);
-  NextDue.store(0, std::memory_order_relaxed);
-  auto Work = [this](unsigned I) { runTms(*Runners[I]); };
+  ++Claim;
+  auto Work = [this](unsigned I) { runTms(*Runners[I], I); };
   if (Due.size() > 1 && Pool->size() > 1) {
     IsShared = LastWork > WorthSharing;
     auto Start = Clock::now();
