@@ -64,7 +64,7 @@ static uint64_t multiplyDoubles(uint64_t A, uint64_t B) {
     return Sign;
   Unpacked UA = unpack(A);
   Unpacked UB = unpack(B);
-  Product128 P = multiply(UA.Significand, UB.Significand);
+  Integer128 P = multiply(UA.Significand, UB.Significand);
   int Exponent = UA.Exponent + UB.Exponent - kBias + 1;
   if (!(P.High & kSign)) {
     P.High = P.High << 1 | P.Low >> 63;
@@ -128,18 +128,18 @@ static uint64_t squareRoot(uint64_t A) {
   return pack(0, (Exponent >> 1) + kBias, Root << 9 | (Rest != 0));
 }
 
-static bool less(const Product128 &A, const Product128 &B) {
+static bool less(const Integer128 &A, const Integer128 &B) {
   return A.High != B.High ? A.High < B.High : A.Low < B.Low;
 }
 
-static Product128 shiftRightSticky(Product128 P, int Shift) {
+static Integer128 shiftRightSticky(Integer128 P, int Shift) {
   if (Shift == 0)
     return P;
   if (Shift >= 64)
-    return {0, tp::wide::shiftRightSticky(P.High | (P.Low != 0), Shift - 64)};
+    return {tp::wide::shiftRightSticky(P.High | (P.Low != 0), Shift - 64), 0};
   uint64_t Lost = P.Low << (64 - Shift);
-  return {P.High >> Shift,
-          P.High << (64 - Shift) | P.Low >> Shift | (Lost != 0)};
+  return {P.High << (64 - Shift) | P.Low >> Shift | (Lost != 0),
+          P.High >> Shift};
 }
 
 static uint64_t multiplyAdd(uint64_t A, uint64_t B, uint64_t C) {
@@ -161,17 +161,17 @@ static uint64_t multiplyAdd(uint64_t A, uint64_t B, uint64_t C) {
   Unpacked UA = unpack(MagnitudeA);
   Unpacked UB = unpack(MagnitudeB);
   Unpacked UC = unpack(MagnitudeC);
-  Product128 P = multiply(UA.Significand, UB.Significand);
+  Integer128 P = multiply(UA.Significand, UB.Significand);
   int Exponent = UA.Exponent + UB.Exponent - kBias + 1;
   if (!(P.High & kSign)) {
-    P = {P.High << 1 | P.Low >> 63, P.Low << 1};
+    P = {P.Low << 1, P.High << 1 | P.Low >> 63};
     --Exponent;
   }
-  Product128 Q = {UC.Significand, 0};
+  Integer128 Q = {0, UC.Significand};
   int ExponentC = UC.Exponent;
   bool Subtract = ((Sign ^ C) & kSign) != 0;
   if (ExponentC > Exponent || (ExponentC == Exponent && less(P, Q))) {
-    Product128 T = P;
+    Integer128 T = P;
     P = Q;
     Q = T;
     int E = Exponent;
@@ -182,23 +182,23 @@ static uint64_t multiplyAdd(uint64_t A, uint64_t B, uint64_t C) {
   // One bit of room above for the carry, at both sides of the sum.
   P = shiftRightSticky(P, 1);
   Q = shiftRightSticky(Q, 1 + Exponent - ExponentC);
-  Product128 Sum;
+  Integer128 Sum;
   if (Subtract) {
-    Sum = {P.High - Q.High - (P.Low < Q.Low), P.Low - Q.Low};
+    Sum = {P.Low - Q.Low, P.High - Q.High - (P.Low < Q.Low)};
   } else {
     uint64_t Low = P.Low + Q.Low;
-    Sum = {P.High + Q.High + (Low < P.Low), Low};
+    Sum = {Low, P.High + Q.High + (Low < P.Low)};
   }
   ++Exponent;
   if (Sum.High == 0) {
     if (Sum.Low == 0)
       return 0;
-    Sum = {Sum.Low, 0};
+    Sum = {0, Sum.Low};
     Exponent -= 64;
   }
   int Shift = leadingZeros(Sum.High);
   if (Shift != 0)
-    Sum = {Sum.High << Shift | Sum.Low >> (64 - Shift), Sum.Low << Shift};
+    Sum = {Sum.Low << Shift, Sum.High << Shift | Sum.Low >> (64 - Shift)};
   return pack(Sign, Exponent - Shift, Sum.High | (Sum.Low != 0));
 }
 

@@ -108,7 +108,7 @@ int64_t TP_LIBCALL(__muldi3)(int64_t A, int64_t B) {
 }
 
 int64_t TP_LIBCALL(__mulodi4)(int64_t A, int64_t B, int *Overflow) {
-  Product128 P = multiply(magnitude(A), magnitude(B));
+  Integer128 P = multiply(magnitude(A), magnitude(B));
   bool Negative = (A ^ B) < 0;
   uint64_t Limit = (uint64_t(1) << 63) - !Negative;
   *Overflow = P.High != 0 || P.Low > Limit;

@@ -13,6 +13,7 @@
 #ifndef TP_RUNTIME_LIB_BUILTINS_LIBCALL_H
 #define TP_RUNTIME_LIB_BUILTINS_LIBCALL_H
 
+#include "runtime/lib/builtins/WideInteger.h"
 #include <stdint.h>
 
 #ifdef __tp__
@@ -49,6 +50,42 @@ int TP_LIBCALL(__popcountdi2)(uint64_t Value);
 uint32_t TP_LIBCALL(__bswapsi2)(uint32_t Value);
 uint64_t TP_LIBCALL(__bswapdi2)(uint64_t Value);
 
+// A 128-bit argument arrives as its two halves, and a result leaves through a
+// hidden pointer, like a struct. Clang's own 128-bit types are not needed here.
+tp::wide::Integer128 TP_LIBCALL(__udivti3)(uint64_t ALow, uint64_t AHigh,
+                                           uint64_t BLow, uint64_t BHigh);
+tp::wide::Integer128 TP_LIBCALL(__umodti3)(uint64_t ALow, uint64_t AHigh,
+                                           uint64_t BLow, uint64_t BHigh);
+tp::wide::Integer128 TP_LIBCALL(__udivmodti4)(uint64_t ALow, uint64_t AHigh,
+                                              uint64_t BLow, uint64_t BHigh,
+                                              tp::wide::Integer128 *Remainder);
+tp::wide::Integer128 TP_LIBCALL(__divti3)(uint64_t ALow, uint64_t AHigh,
+                                          uint64_t BLow, uint64_t BHigh);
+tp::wide::Integer128 TP_LIBCALL(__modti3)(uint64_t ALow, uint64_t AHigh,
+                                          uint64_t BLow, uint64_t BHigh);
+tp::wide::Integer128 TP_LIBCALL(__divmodti4)(uint64_t ALow, uint64_t AHigh,
+                                             uint64_t BLow, uint64_t BHigh,
+                                             tp::wide::Integer128 *Remainder);
+tp::wide::Integer128 TP_LIBCALL(__multi3)(uint64_t ALow, uint64_t AHigh,
+                                          uint64_t BLow, uint64_t BHigh);
+tp::wide::Integer128 TP_LIBCALL(__muloti4)(uint64_t ALow, uint64_t AHigh,
+                                           uint64_t BLow, uint64_t BHigh,
+                                           int *Overflow);
+tp::wide::Integer128 TP_LIBCALL(__ashlti3)(uint64_t Low, uint64_t High,
+                                           int Shift);
+tp::wide::Integer128 TP_LIBCALL(__lshrti3)(uint64_t Low, uint64_t High,
+                                           int Shift);
+tp::wide::Integer128 TP_LIBCALL(__ashrti3)(uint64_t Low, uint64_t High,
+                                           int Shift);
+tp::wide::Integer128 TP_LIBCALL(__fixdfti)(double A);
+tp::wide::Integer128 TP_LIBCALL(__fixunsdfti)(double A);
+tp::wide::Integer128 TP_LIBCALL(__fixsfti)(float A);
+tp::wide::Integer128 TP_LIBCALL(__fixunssfti)(float A);
+double TP_LIBCALL(__floattidf)(uint64_t Low, uint64_t High);
+double TP_LIBCALL(__floatuntidf)(uint64_t Low, uint64_t High);
+float TP_LIBCALL(__floattisf)(uint64_t Low, uint64_t High);
+float TP_LIBCALL(__floatuntisf)(uint64_t Low, uint64_t High);
+
 double TP_LIBCALL(__adddf3)(double A, double B);
 double TP_LIBCALL(__subdf3)(double A, double B);
 double TP_LIBCALL(__muldf3)(double A, double B);
@@ -81,6 +118,8 @@ float TP_LIBCALL(__floatundisf)(uint64_t A);
 uint16_t TP_LIBCALL(__truncsfhf2)(float A);
 uint16_t TP_LIBCALL(__truncdfhf2)(double A);
 float TP_LIBCALL(__extendhfsf2)(uint16_t A);
+uint16_t TP_LIBCALL(__truncsfbf2)(float A);
+uint16_t TP_LIBCALL(__truncdfbf2)(double A);
 
 /// The square root's kernel of sqrt() in math.h.
 double TP_LIBCALL(__tp_sqrtdf)(double A);

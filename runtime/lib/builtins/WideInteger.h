@@ -47,20 +47,21 @@ inline uint64_t shiftRightSticky(uint64_t Value, int Shift) {
   return Value >> Shift | (Lost != 0);
 }
 
-struct Product128 {
-  uint64_t High;
+/// Laid out like a 128-bit integer of the code generator.
+struct Integer128 {
   uint64_t Low;
+  uint64_t High;
 };
 
-inline Product128 multiply(uint64_t A, uint64_t B) {
+inline Integer128 multiply(uint64_t A, uint64_t B) {
   uint64_t LowLow = multiply(low(A), low(B));
   uint64_t LowHigh = multiply(low(A), high(B));
   uint64_t HighLow = multiply(high(A), low(B));
   uint64_t HighHigh = multiply(high(A), high(B));
   uint64_t Middle = LowHigh + high(LowLow);
   uint64_t Middle2 = HighLow + low(Middle);
-  return {HighHigh + high(Middle) + high(Middle2),
-          make(low(Middle2), low(LowLow))};
+  return {make(low(Middle2), low(LowLow)),
+          HighHigh + high(Middle) + high(Middle2)};
 }
 
 /// Quotient of \p High : \p Low by \p Divisor, whose top bit is set and which

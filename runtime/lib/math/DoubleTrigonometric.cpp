@@ -52,8 +52,8 @@ static ReducedAngle reduce(double X) {
   // |X| is Integer * 2^(Exponent - 1075).
   uint64_t Integer = Magnitude << 12 >> 12 | uint64_t(1) << 52;
   uint32_t Start = static_cast<uint32_t>(Magnitude >> 52) - 1075 - 2 + 64;
-  wide::Product128 Low = wide::multiply(Integer, twoOverPiBits(Start + 128));
-  wide::Product128 Middle = wide::multiply(Integer, twoOverPiBits(Start + 64));
+  wide::Integer128 Low = wide::multiply(Integer, twoOverPiBits(Start + 128));
+  wide::Integer128 Middle = wide::multiply(Integer, twoOverPiBits(Start + 64));
   // The top two bits are the quadrant, the others the fraction of the next.
   uint64_t TurnsLow = Middle.Low + Low.High;
   uint64_t TurnsHigh =
@@ -83,7 +83,7 @@ static ReducedAngle reduce(double X) {
     Shift += Zeros;
   }
   // pi/2 as a 64-bit integer has a weight of 2^-63.
-  wide::Product128 Angle = wide::multiply(FractionHigh, 0xC90FDAA22168C234u);
+  wide::Integer128 Angle = wide::multiply(FractionHigh, 0xC90FDAA22168C234u);
   double Unit =
       fromBits(Sign | static_cast<uint64_t>(1023 - 63 + 11 - Shift) << 52);
   double RestHigh =
