@@ -20,7 +20,7 @@ int main(int ArgumentCount, char **Arguments) {
   const char *Program = baseName(Arguments[0]);
   const std::string Usage = std::string(Program) + " KERNEL.so";
   if (ArgumentCount < 2)
-    return fail(Program, "no kernel; usage: " + Usage + " --scene FILE");
+    return fail(Program, "no kernel; usage: " + Usage + " [options]");
   if (std::strcmp(Arguments[1], "--help") == 0)
     return runNatively(nullptr, Program, Usage, ArgumentCount, Arguments);
   // Without a slash, dlopen() would look in the system's folders.

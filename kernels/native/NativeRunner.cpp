@@ -1,4 +1,4 @@
-//===- NativeRunner.cpp - Runs a rendering kernel on the host -------------===//
+//===- NativeRunner.cpp - Runs a kernel on the host -----------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -9,6 +9,7 @@
 #include "kernels/common/BuiltBvh.h"
 #include "kernels/common/LaunchArguments.h"
 #include "kernels/native/HostMemory.h"
+#include "kernels/native/NullAccess.h"
 #include "kernels/native/RunnerOptions.h"
 #include "kernels/profile/RayProfileText.h"
 #include "kernels/profile/RayProfiler.h"
@@ -50,6 +51,51 @@ static Status reportRays(const RayProfiler &Rays) {
   return success();
 }
 
+/// The launch block of a run without a scene: arguments are all it has.
+static LaunchBlock launchWithoutScene() {
+  LaunchBlock Launch{};
+  Launch.Version = kLaunchBlockVersion;
+  return Launch;
+}
+
+/// Loads the scene, if there is one, and places it in \p Memory.
+static ErrorOr<LaunchBlock> prepareLaunch(const char *Program,
+                                          const RunnerOptions &Options,
+                                          HostMemory &Memory) {
+  if (Options.ScenePath.empty()) {
+    reportNullAccess(Program);
+    return launchWithoutScene();
+  }
+  const ErrorOr<Scene> Source = loadScene(Options.ScenePath);
+  if (!Source)
+    return Error{Source.message()};
+  for (const std::string &Warning : Source->Warnings)
+    std::fprintf(stderr, "%s: warning: %s: %s\n", Program,
+                 Options.ScenePath.c_str(), Warning.c_str());
+  return setUpLaunch(*Source, Options.Render, Options.Threads, Memory);
+}
+
+/// Reports the speed of a rendering, checks the tree that its kernel built and
+/// writes the picture.
+static Status finishRendering(const RunnerOptions &Options,
+                              const LaunchBlock &Launch,
+                              const HostMemory &Memory, double Seconds) {
+  const std::vector<uint32_t> Counts =
+      readRayCounts(Launch, Options.Threads, Memory);
+  reportSpeed(std::accumulate(Counts.begin(), Counts.end(), uint64_t(0)),
+              Seconds);
+  if (Options.Render.Bvh == BvhOrigin::Kernel) {
+    const ErrorOr<std::string> Tree =
+        checkBuiltBvh(Launch, Memory, Options.BvhOutputPath);
+    if (!Tree)
+      return Error{Tree.message()};
+    std::fprintf(stderr, "%s\n", Tree->c_str());
+  }
+  if (Options.OutputPath.empty())
+    return success();
+  return writePng(Options.OutputPath, readFramebuffer(Launch, Memory));
+}
+
 int runNatively(KernelMain Kernel, const char *Program,
                 const std::string &Usage, int ArgumentCount, char **Arguments) {
   const ErrorOr<RunnerOptions> Options =
@@ -61,15 +107,8 @@ int runNatively(KernelMain Kernel, const char *Program,
     return 0;
   }
 
-  const ErrorOr<Scene> Source = loadScene(Options->ScenePath);
-  if (!Source)
-    return fail(Program, Source.message());
-  for (const std::string &Warning : Source->Warnings)
-    std::fprintf(stderr, "%s: warning: %s: %s\n", Program,
-                 Options->ScenePath.c_str(), Warning.c_str());
   HostMemory Memory;
-  ErrorOr<LaunchBlock> Launch =
-      setUpLaunch(*Source, Options->Render, Options->Threads, Memory);
+  ErrorOr<LaunchBlock> Launch = prepareLaunch(Program, *Options, Memory);
   if (!Launch)
     return fail(Program, Launch.message());
   std::vector<std::string> KernelArguments = {Program};
@@ -87,26 +126,14 @@ int runNatively(KernelMain Kernel, const char *Program,
     return Status;
   const std::chrono::duration<double> Elapsed =
       std::chrono::steady_clock::now() - Start;
-  const std::vector<uint32_t> Counts =
-      readRayCounts(*Launch, Options->Threads, Memory);
-  reportSpeed(std::accumulate(Counts.begin(), Counts.end(), uint64_t(0)),
-              Elapsed.count());
+  if (!Options->ScenePath.empty())
+    if (const Status Finished =
+            finishRendering(*Options, *Launch, Memory, Elapsed.count());
+        !Finished)
+      return fail(Program, Finished.message());
   if (Options->RayProfile)
     if (const Status Reported = reportRays(Rays); !Reported)
       return fail(Program, Reported.message());
-
-  if (Options->Render.Bvh == BvhOrigin::Kernel) {
-    const ErrorOr<std::string> Tree =
-        checkBuiltBvh(*Launch, Memory, Options->BvhOutputPath);
-    if (!Tree)
-      return fail(Program, Tree.message());
-    std::fprintf(stderr, "%s\n", Tree->c_str());
-  }
-  if (Options->OutputPath.empty())
-    return 0;
-  const Image Picture = readFramebuffer(*Launch, Memory);
-  if (Status Written = writePng(Options->OutputPath, Picture); !Written)
-    return fail(Program, Written.message());
   return 0;
 }
 

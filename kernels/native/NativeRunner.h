@@ -1,4 +1,4 @@
-//===- NativeRunner.h - Runs a rendering kernel on the host -----*- C++ -*-===//
+//===- NativeRunner.h - Runs a kernel on the host ---------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -13,9 +13,10 @@ namespace tp {
 
 using KernelMain = int (*)(int ArgumentCount, char **Arguments);
 
-/// Renders as the command line in \p Arguments (with the program's name first)
-/// asks, with the kernel whose `main` is \p Kernel. Errors name \p Program;
-/// \p Usage is how the usage text begins. Returns the exit status.
+/// Runs the kernel whose `main` is \p Kernel as the command line in
+/// \p Arguments (with the program's name first) asks, with or without a scene
+/// to render. Errors name \p Program; \p Usage is how the usage text begins.
+/// Returns the exit status.
 int runNatively(KernelMain Kernel, const char *Program,
                 const std::string &Usage, int ArgumentCount, char **Arguments);
 

@@ -19,10 +19,17 @@ namespace tp {
 
 std::string runnerUsage(const std::string &Program) {
   return "USAGE: " + Program +
-         " --scene FILE [options] [-- kernel arguments]\n\n"
-         "Renders a scene with a kernel that is compiled for the host.\n\n"
+         " [options] [-- kernel arguments]\n\n"
+         "Runs a kernel that is compiled for the host.\n\n"
          "OPTIONS:\n"
-         "  --scene FILE         glTF or GLB file to render\n"
+         "  --threads N          host threads (one per processor)\n"
+         "  --local-store BYTES  local store of each thread, as in 16KiB (" +
+         std::to_string(host::kDefaultLocalStoreBytes / 1024) +
+         "KiB)\n"
+         "  --ray-profile        print what the rays visited and read from\n"
+         "                       memory\n"
+         "  --scene FILE         glTF or GLB file to render (none)\n\n"
+         "OPTIONS WITH A SCENE:\n"
          "  --size WIDTHxHEIGHT  size of the picture (256x256)\n"
          "  --spp N              samples per pixel (1)\n"
          "  --depth N            surfaces that a path visits; 1: primary and\n"
@@ -30,12 +37,6 @@ std::string runnerUsage(const std::string &Program) {
          "  --seed N             seed of the random numbers (1)\n"
          "  --bvh host|kernel    who builds the BVH (host)\n"
          "  --bvh-output FILE    where to write the BVH that the kernel built\n"
-         "  --threads N          host threads (one per processor)\n"
-         "  --local-store BYTES  local store of each thread, as in 16KiB (" +
-         std::to_string(host::kDefaultLocalStoreBytes / 1024) +
-         "KiB)\n"
-         "  --ray-profile        print what the rays visited and read from\n"
-         "                       memory\n"
          "  -o FILE              PNG to write (none)\n";
 }
 
@@ -70,38 +71,66 @@ static Status parseLocalStoreBytes(const char *Text, uint32_t &Bytes) {
   return success();
 }
 
+namespace {
+/// What getopt_long() returns for an option without a letter.
+enum OptionCode {
+  SceneCode = 256,
+  SizeCode,
+  SamplesCode,
+  DepthCode,
+  SeedCode,
+  BvhCode,
+  BvhOutputCode,
+  ThreadsCode,
+  LocalStoreCode,
+  RayProfileCode,
+  HelpCode
+};
+} // namespace
+
+/// How an option is spelled that means something with a scene only; nullptr for
+/// other options.
+static const char *spellingOfSceneOption(int Code) {
+  switch (Code) {
+  case SizeCode:
+    return "--size";
+  case SamplesCode:
+    return "--spp";
+  case DepthCode:
+    return "--depth";
+  case SeedCode:
+    return "--seed";
+  case BvhCode:
+    return "--bvh";
+  case BvhOutputCode:
+    return "--bvh-output";
+  case 'o':
+    return "-o";
+  default:
+    return nullptr;
+  }
+}
+
 ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
                                           char *const *Arguments) {
-  enum {
-    Scene = 256,
-    Size,
-    Samples,
-    Depth,
-    Seed,
-    Bvh,
-    BvhOutput,
-    Threads,
-    LocalStore,
-    RayProfile,
-    Help
-  };
   static const option LongOptions[] = {
-      {"scene", required_argument, nullptr, Scene},
-      {"size", required_argument, nullptr, Size},
-      {"spp", required_argument, nullptr, Samples},
-      {"depth", required_argument, nullptr, Depth},
-      {"seed", required_argument, nullptr, Seed},
-      {"bvh", required_argument, nullptr, Bvh},
-      {"bvh-output", required_argument, nullptr, BvhOutput},
-      {"threads", required_argument, nullptr, Threads},
-      {"local-store", required_argument, nullptr, LocalStore},
-      {"ray-profile", no_argument, nullptr, RayProfile},
-      {"help", no_argument, nullptr, Help},
+      {"scene", required_argument, nullptr, SceneCode},
+      {"size", required_argument, nullptr, SizeCode},
+      {"spp", required_argument, nullptr, SamplesCode},
+      {"depth", required_argument, nullptr, DepthCode},
+      {"seed", required_argument, nullptr, SeedCode},
+      {"bvh", required_argument, nullptr, BvhCode},
+      {"bvh-output", required_argument, nullptr, BvhOutputCode},
+      {"threads", required_argument, nullptr, ThreadsCode},
+      {"local-store", required_argument, nullptr, LocalStoreCode},
+      {"ray-profile", no_argument, nullptr, RayProfileCode},
+      {"help", no_argument, nullptr, HelpCode},
       {nullptr, 0, nullptr, 0}};
   // What getopt_long() returns for a word that is no option.
   constexpr int PlainWord = 1;
   constexpr unsigned MaxThreads = 1024;
   RunnerOptions Options;
+  const char *OptionOfScene = nullptr;
   Options.Threads = std::max(1u, std::thread::hardware_concurrency());
   optind = 1;
   opterr = 0;
@@ -109,45 +138,50 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
     Status Parsed = success();
     // The dash keeps the order of the words, so that `--` parts them; the colon
     // tells a missing value from an unknown option.
-    switch (
-        getopt_long(ArgumentCount, Arguments, "-:o:", LongOptions, nullptr)) {
-    case Scene:
+    const int Code =
+        getopt_long(ArgumentCount, Arguments, "-:o:", LongOptions, nullptr);
+    if (const char *Spelling = spellingOfSceneOption(Code))
+      OptionOfScene = Spelling;
+    switch (Code) {
+    case SceneCode:
       Options.ScenePath = optarg;
+      if (Options.ScenePath.empty())
+        Parsed = Error{"--scene: the path is empty"};
       break;
-    case Size:
+    case SizeCode:
       Parsed = parseImageSize(optarg, Options.Render);
       break;
-    case Samples:
+    case SamplesCode:
       Parsed = parseNumber("--spp", optarg, Options.Render.SamplesPerPixel);
       break;
-    case Depth:
+    case DepthCode:
       Parsed = parseNumber("--depth", optarg, Options.Render.MaxDepth);
       break;
-    case Seed:
+    case SeedCode:
       Parsed = parseNumber("--seed", optarg, Options.Render.Seed);
       break;
-    case Bvh:
+    case BvhCode:
       Parsed = parseBvhOrigin(optarg, Options.Render);
       break;
-    case BvhOutput:
+    case BvhOutputCode:
       Options.BvhOutputPath = optarg;
       break;
-    case Threads:
+    case ThreadsCode:
       Parsed = parseNumber("--threads", optarg, Options.Threads);
       if (Parsed && (Options.Threads < 1 || Options.Threads > MaxThreads))
         Parsed = Error{"--threads: must be from 1 to " +
                        std::to_string(MaxThreads) + ", not " + optarg};
       break;
-    case LocalStore:
+    case LocalStoreCode:
       Parsed = parseLocalStoreBytes(optarg, Options.LocalStoreBytes);
       break;
     case 'o':
       Options.OutputPath = optarg;
       break;
-    case RayProfile:
+    case RayProfileCode:
       Options.RayProfile = true;
       break;
-    case Help:
+    case HelpCode:
       Options.Help = true;
       return Options;
     case ':':
@@ -161,8 +195,10 @@ ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
     case -1:
       Options.KernelArguments.assign(Arguments + optind,
                                      Arguments + ArgumentCount);
-      if (Options.ScenePath.empty())
-        return Error{"no scene; name one with --scene FILE"};
+      if (Options.ScenePath.empty() && OptionOfScene)
+        return Error{std::string(OptionOfScene) +
+                     " has no meaning without --scene; give the scene to "
+                     "render"};
       if (!Options.BvhOutputPath.empty() &&
           Options.Render.Bvh != BvhOrigin::Kernel)
         return Error{"--bvh-output has no meaning without --bvh kernel"};

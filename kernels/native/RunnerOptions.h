@@ -20,6 +20,7 @@ namespace tp {
 struct RunnerOptions {
   /// Print the usage and do nothing else.
   bool Help = false;
+  /// The scene to render; none if empty.
   std::string ScenePath;
   RenderOptions Render;
   /// Threads of the host, at least 1.
@@ -40,7 +41,7 @@ struct RunnerOptions {
 std::string runnerUsage(const std::string &Program);
 
 /// Reads the command line. Fails, naming the option, if it is unknown, lacks
-/// its value or has a bad one, or if there is no scene.
+/// its value or has a bad one, or means nothing without a scene.
 ErrorOr<RunnerOptions> parseRunnerOptions(int ArgumentCount,
                                           char *const *Arguments);
 
