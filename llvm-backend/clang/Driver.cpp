@@ -14,6 +14,7 @@
 #include "llvm-backend/clang/FrontendJob.h"
 #include "llvm-backend/clang/LinkJob.h"
 #include "llvm-backend/clang/OwnOptions.h"
+#include "llvm-backend/clang/RefusedOptions.h"
 #include "clang/Basic/DiagnosticDriver.h"
 #include "clang/Driver/Compilation.h"
 #include "clang/Driver/Driver.h"
@@ -251,6 +252,8 @@ static int compileAndLink(TranslatedCommandLine &Translated,
                                     MissingCount, opt::Visibility(ClangOption));
   if (answerQuery(UserArguments, ToolPath))
     return 0;
+  if (Error Refused = checkRefusedOptions(UserArguments))
+    return reportFailure(std::move(Refused));
   bool DryRun = UserArguments.hasArg(OPT__HASH_HASH_HASH);
   bool Verbose = UserArguments.hasArg(OPT_v);
   bool AnyInput = UserArguments.hasArg(OPT_INPUT);

@@ -6,15 +6,19 @@
 
 #include "llvm-backend/clang/DriverQueries.h"
 #include "llvm-backend/TPDataLayout.h"
-#include "llvm-backend/clang/HostPaths.h"
 #include "llvm-backend/clang/OwnOptions.h"
+#include "llvm-backend/clang/Sysroot.h"
 #include "clang/Basic/Version.h"
 #include "clang/Options/Options.h"
+#include "llvm/ADT/SmallString.h"
 #include "llvm/Option/OptTable.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Format.h"
 #include "llvm/Support/Path.h"
 
 using namespace clang::options;
 using namespace llvm;
+using namespace llvm::opt;
 
 namespace tp {
 
@@ -34,6 +38,80 @@ void printVersion(raw_ostream &Stream, StringRef ToolPath) {
          << "Target: " << llvm::TPTriple << '\n'
          << "Thread model: posix\n"
          << "InstalledDir: " << sys::path::parent_path(ToolPath) << '\n';
+}
+
+// Name in the first of Folders that has it; Name itself if none does.
+static std::string findFile(StringRef Name, ArrayRef<std::string> Folders) {
+  for (StringRef Folder : Folders) {
+    SmallString<128> Path(Folder);
+    sys::path::append(Path, Name);
+    if (sys::fs::exists(Path))
+      return std::string(Path);
+  }
+  return Name.str();
+}
+
+// -print-* options that ask where something is. \returns whether one was given.
+static bool answerWhere(const ArgList &UserArguments, StringRef ToolPath) {
+  Sysroot Folders(ToolPath);
+  const std::string Programs = sys::path::parent_path(ToolPath).str();
+  const std::string Resources = Sysroot::resourceFolder();
+  if (UserArguments.hasArg(OPT_print_search_dirs)) {
+    outs() << "programs: =" << Programs << "\nlibraries: =" << Folders.root()
+           << ':' << Resources << '\n';
+    return true;
+  }
+  if (const Arg *File = UserArguments.getLastArg(OPT_print_file_name_EQ)) {
+    outs() << findFile(File->getValue(), {Resources, Folders.root()}) << '\n';
+    return true;
+  }
+  if (const Arg *Program = UserArguments.getLastArg(OPT_print_prog_name_EQ)) {
+    outs() << findFile(Program->getValue(), {Programs}) << '\n';
+    return true;
+  }
+  if (UserArguments.hasArg(OPT_print_libgcc_file_name)) {
+    outs() << Folders.runtimeBitcode() << '\n';
+    return true;
+  }
+  if (UserArguments.hasArg(OPT_print_runtime_dir)) {
+    outs() << Folders.root() << '\n';
+    return true;
+  }
+  return false;
+}
+
+// The features of the target; those that UserArguments enable, or all.
+static void printFeatures(const ArgList &UserArguments, bool OnlyEnabled) {
+  const std::vector<std::string> Changes =
+      UserArguments.getAllArgValues(OPT_Xclang);
+  auto Print = [&](StringRef Name, bool IsEnabled, StringRef Help) {
+    for (StringRef Change : Changes)
+      if (Change.drop_front(1) == Name)
+        IsEnabled = Change.front() == '+';
+    if (IsEnabled || !OnlyEnabled)
+      outs() << "    " << left_justify(Name, 8) << Help << '\n';
+  };
+  outs() << (OnlyEnabled ? "Features enabled for the TP\n\n"
+                         : "Features of the TP\n\n");
+  Print("trig", true, "sin_s and cos_s (-mtrig, -mno-trig)");
+  Print("fma", false, "madd_s (-mfma, -mno-fma)");
+}
+
+// -print-* options that ask for what there is to choose.
+static bool answerWhich(const ArgList &UserArguments) {
+  if (UserArguments.hasArg(OPT_print_supported_cpus)) {
+    outs() << "Available CPUs for this target:\n\n\tgeneric\n";
+    return true;
+  }
+  if (UserArguments.hasArg(OPT_print_supported_extensions)) {
+    printFeatures(UserArguments, /*OnlyEnabled=*/false);
+    return true;
+  }
+  if (UserArguments.hasArg(OPT_print_enabled_extensions)) {
+    printFeatures(UserArguments, /*OnlyEnabled=*/true);
+    return true;
+  }
+  return false;
 }
 
 bool answerQuery(const opt::ArgList &UserArguments, StringRef ToolPath) {
@@ -62,7 +140,7 @@ bool answerQuery(const opt::ArgList &UserArguments, StringRef ToolPath) {
     outs() << llvm::TPTriple << '\n';
     return true;
   }
-  return false;
+  return answerWhere(UserArguments, ToolPath) || answerWhich(UserArguments);
 }
 
 } // namespace tp

@@ -7,6 +7,7 @@
 #include "llvm-backend/clang/OwnOptions.h"
 #include "llvm-backend/clang/CommandLineOption.h"
 #include "llvm-backend/clang/FloatingPointFlags.h"
+#include "llvm-backend/clang/TargetChoice.h"
 #include "clang/Options/Options.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/Format.h"
@@ -227,6 +228,8 @@ Error Translation::translate(const CommandLineOption &Option, size_t Index) {
     Result.WarningWords.push_back(Option.Words.front());
     return Result.Warnings.readOwnWord(Name);
   }
+  if (isTargetChoice(Option))
+    return checkTargetChoice(Option);
   if (Preset && Index < *Preset && isFloatingPointFlag(Option.ID)) {
     // It is an optimization level as well.
     if (Option.ID == OPT_Ofast)

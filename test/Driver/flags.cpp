@@ -2,7 +2,6 @@
 //
 // RUN: not tpcc -fsyntax-only -Wall -Werror -DUNUSED %s 2>&1 | FileCheck --check-prefix=WERROR %s
 // RUN: not tpcc -fsyntax-only -DTHROW %s 2>&1 | FileCheck --check-prefix=THROW %s
-// RUN: tpcc -fsyntax-only -fexceptions -DTHROW %s
 // RUN: tpcc -O2 -ffast-math -mllvm -tp-fp-canonicalize=0 -S -emit-llvm %s -o - | FileCheck --check-prefix=FAST %s
 // RUN: tpcc -O2 -S -emit-llvm %s -o - | FileCheck --check-prefix=STRICT %s
 // RUN: tpcc -O2 -S -emit-llvm -mfma -ffp-contract=fast -mllvm -tp-fp-canonicalize=0 %s -o - | FileCheck --check-prefix=CONTRACT %s
