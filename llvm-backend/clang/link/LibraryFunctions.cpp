@@ -17,24 +17,45 @@ namespace tp {
 
 namespace {
 
-/// Groups of library functions: a call of one may become a call of another.
-enum class Group : unsigned { None, Always, FloatMath, DoubleMath, Other };
+/// Why a library function may be called though no call is there yet.
+enum class Group : unsigned {
+  None,
+  /// Any code may need it.
+  Always,
+  // A call of one function of the group may become a call of another.
+  FloatMath,
+  DoubleMath,
+  String,
+  Other,
+  // The code generator makes calls of operations that the TP lacks.
+  Half,
+  Double,
+  Integer64,
+  Integer128,
+  Atomic,
+};
 
 /// What a program has, found by following references from its roots.
 class Reachability {
 public:
   void mark(const GlobalValue *Global);
   void follow();
-  bool uses(Group Kind) const { return Groups & 1u << unsigned(Kind); }
+  bool uses(Group Kind) const {
+    return Kind == Group::Always || Groups & 1u << unsigned(Kind) ||
+           // Formatted output turns into copies.
+           (Kind == Group::String && uses(Group::Other));
+  }
 
 private:
   void visit(const Instruction &Instruction, bool MayChangeCalls);
   void visitOperands(const User &User, bool MayChangeCalls);
   void noteCall(const Function &Callee, bool MayChangeCalls);
+  void noteType(Type *Used);
   void noteUse(Group Kind) { Groups |= 1u << unsigned(Kind); }
 
   SmallPtrSet<const Value *, 32> Marked;
   SmallVector<const GlobalValue *, 64> Pending;
+  SmallPtrSet<Type *, 32> Types;
   unsigned Groups = 0;
 };
 
@@ -60,12 +81,36 @@ static Group mathGroup(const FunctionType &Type) {
   return Mentions(&llvm::Type::isFloatTy) ? Group::FloatMath : Group::None;
 }
 
-// Functions on memory and strings: loops and other string functions turn into
-// them.
+// Loops and copies of objects turn into them.
+static bool isBlockFunction(StringRef Name) {
+  return Name == "memcpy" || Name == "memmove" || Name == "memset" ||
+         Name == "memcmp" || Name == "bcmp" || Name == "strlen";
+}
+
 static bool isStringFunction(StringRef Name) {
-  return Name.starts_with("mem") || Name == "bcmp" ||
+  return Name.starts_with("mem") ||
          (Name.starts_with("str") && !Name.starts_with("strto") &&
           !Name.ends_with("dup"));
+}
+
+// What has to be in a program for the code generator to call \p Candidate. The
+// names follow GCC's: hf, sf, df, di and ti are types.
+static Group codeGeneratorGroup(const Function &Candidate) {
+  StringRef Name = Candidate.getName();
+  if (!Name.consume_front("__"))
+    return mathGroup(*Candidate.getFunctionType());
+  if (Name.starts_with("atomic_") || Name.starts_with("sync_"))
+    return Group::Atomic;
+  if (Name.contains("hf") || Name.contains("bf"))
+    return Group::Half;
+  if (Name.contains("ti"))
+    // Products of 64-bit numbers take more bits.
+    return Name.starts_with("mul") ? Group::Integer64 : Group::Integer128;
+  if (Name.contains("df"))
+    return Group::Double;
+  if (Name.contains("di"))
+    return Group::Integer64;
+  return Name.contains("sf") ? Group::FloatMath : Group::Always;
 }
 
 static Group groupOf(const Function &Candidate) {
@@ -73,11 +118,15 @@ static Group groupOf(const Function &Candidate) {
   static const TargetLibraryInfoImpl Library{Triple(llvm::TPTriple)};
   StringRef Name = Candidate.getName();
   LibFunc Known;
-  bool IsLibraryFunction = Library.getLibFunc(Name, Known);
-  if (!IsLibraryFunction)
-    return CodeGeneratorCalls.contains(Name) ? Group::Always : Group::None;
-  if (isStringFunction(Name))
+  if (!Library.getLibFunc(Name, Known))
+    return CodeGeneratorCalls.contains(Name) ? codeGeneratorGroup(Candidate)
+                                             : Group::None;
+  if (isBlockFunction(Name))
     return Group::Always;
+  if (isStringFunction(Name))
+    return Group::String;
+  if (Name.starts_with("strto"))
+    return Group::Other;
   Group Math = mathGroup(*Candidate.getFunctionType());
   return Math == Group::None ? Group::Other : Math;
 }
@@ -87,8 +136,24 @@ void Reachability::mark(const GlobalValue *Global) {
     Pending.push_back(Global);
 }
 
+void Reachability::noteType(Type *Used) {
+  if (!Types.insert(Used).second)
+    return;
+  if (Used->isHalfTy() || Used->isBFloatTy())
+    noteUse(Group::Half);
+  else if (Used->isDoubleTy())
+    noteUse(Group::Double);
+  else if (Used->isIntegerTy() && Used->getIntegerBitWidth() > 32)
+    noteUse(Group::Integer64);
+  if (Used->isIntegerTy() && Used->getIntegerBitWidth() > 64)
+    noteUse(Group::Integer128);
+  for_each(Used->subtypes(), [&](Type *Part) { noteType(Part); });
+}
+
 void Reachability::visitOperands(const User &User, bool MayChangeCalls) {
+  noteType(User.getType());
   for (const Use &Operand : User.operands()) {
+    noteType(Operand->getType());
     if (const auto *Global = dyn_cast<GlobalValue>(Operand)) {
       mark(Global);
       if (const auto *Callee = dyn_cast<Function>(Global))
@@ -99,15 +164,27 @@ void Reachability::visitOperands(const User &User, bool MayChangeCalls) {
   }
 }
 
-// Intrinsics that need no library for any type.
-static bool isAlwaysInline(Intrinsic::ID Intrinsic) {
-  switch (Intrinsic) {
+static bool isAlwaysInline(const Function &Intrinsic) {
+  switch (Intrinsic.getIntrinsicID()) {
   case Intrinsic::fabs:
   case Intrinsic::copysign:
   case Intrinsic::fptosi_sat:
   case Intrinsic::fptoui_sat:
   case Intrinsic::is_fpclass:
     return true;
+  // The TP has instructions for floats.
+  case Intrinsic::ceil:
+  case Intrinsic::floor:
+  case Intrinsic::maximumnum:
+  case Intrinsic::maxnum:
+  case Intrinsic::minimumnum:
+  case Intrinsic::minnum:
+  case Intrinsic::nearbyint:
+  case Intrinsic::rint:
+  case Intrinsic::roundeven:
+  case Intrinsic::sqrt:
+  case Intrinsic::trunc:
+    return mathGroup(*Intrinsic.getFunctionType()) == Group::FloatMath;
   default:
     return false;
   }
@@ -117,9 +194,25 @@ void Reachability::noteCall(const Function &Callee, bool MayChangeCalls) {
   if (!Callee.isIntrinsic()) {
     if (MayChangeCalls)
       noteUse(groupOf(Callee));
-  } else if (!isAlwaysInline(Callee.getIntrinsicID())) {
+  } else if (!isAlwaysInline(Callee)) {
     noteUse(mathGroup(*Callee.getFunctionType()));
   }
+}
+
+// Words have instructions, and less is done with those of words.
+static bool isAtomicByLibrary(const Instruction &Access) {
+  auto TakesLock = [&](Type *Accessed, Align Alignment) {
+    const uint64_t Bytes = Access.getDataLayout().getTypeStoreSize(Accessed);
+    return Bytes > 4 || Alignment.value() < Bytes;
+  };
+  if (!Access.isAtomic() || isa<FenceInst>(Access))
+    return false;
+  if (const auto *Exchange = dyn_cast<AtomicCmpXchgInst>(&Access))
+    return TakesLock(Exchange->getNewValOperand()->getType(),
+                     Exchange->getAlign());
+  if (const auto *Change = dyn_cast<AtomicRMWInst>(&Access))
+    return TakesLock(Change->getType(), Change->getAlign());
+  return TakesLock(getLoadStoreType(&Access), getLoadStoreAlignment(&Access));
 }
 
 void Reachability::visit(const Instruction &Instruction, bool MayChangeCalls) {
@@ -128,6 +221,8 @@ void Reachability::visit(const Instruction &Instruction, bool MayChangeCalls) {
     noteUse(Instruction.getType()->getScalarType()->isDoubleTy()
                 ? Group::DoubleMath
                 : Group::FloatMath);
+  if (isAtomicByLibrary(Instruction))
+    noteUse(Group::Atomic);
   visitOperands(Instruction, MayChangeCalls);
 }
 
@@ -159,8 +254,7 @@ StringSet<> libraryFunctionsToKeep(const Module &Program,
     for (const Function &Candidate : Program) {
       Group Kind = groupOf(Candidate);
       if (Candidate.isDeclaration() || Kind == Group::None ||
-          (Kind != Group::Always && !Reached.uses(Kind)) ||
-          !Kept.insert(Candidate.getName()).second)
+          !Reached.uses(Kind) || !Kept.insert(Candidate.getName()).second)
         continue;
       Changed = true;
       Reached.mark(&Candidate);

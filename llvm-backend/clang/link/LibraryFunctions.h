@@ -16,8 +16,8 @@ namespace tp {
 /// generated, because the optimizer or the code generator may make calls of
 /// them that are not there yet: arithmetic like `__adddf3`, `memcpy`, and what
 /// a call of the library may turn into (`printf` into `puts`, `pow` into
-/// `exp2`). Mathematical functions and those with input or output stay only if
-/// what can be reached from \p Roots has any of their kind.
+/// `exp2`). They stay only if what can be reached from \p Roots has the types
+/// or calls that lead to them.
 llvm::StringSet<> libraryFunctionsToKeep(const llvm::Module &Program,
                                          const llvm::StringSet<> &Roots);
 
