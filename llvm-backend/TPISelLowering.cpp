@@ -42,6 +42,9 @@ void TPTargetLowering::configureIntegers() {
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   setOperationAction({ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS}, MVT::i32,
                      Custom);
+  // The runtime has the functions for 128 bits; more is expanded before.
+  setMaxDivRemBitWidthSupported(128);
+  setMaxLargeFPConvertBitWidthSupported(128);
 }
 
 void TPTargetLowering::configureFloats() {

@@ -59,6 +59,7 @@ ClangTargetInfo::ClangTargetInfo(const llvm::Triple &Triple)
   TLSSupported = true;
   NoAsmVariants = true;
   HasFloat16 = true;
+  HasBFloat16 = true;
   // So that clang obeys #pragma float_control. There are no exception flags and
   // no other rounding to be strict about.
   HasStrictFP = true;
@@ -74,6 +75,10 @@ ClangTargetInfo::ClangTargetInfo(const llvm::Triple &Triple)
   Int64Type = SignedLongLong;
   IntMaxType = SignedLongLong;
   SuitableAlign = 64;
+  // As the data layout has it.
+  Int128Align = 64;
+  BFloat16Width = BFloat16Align = 16;
+  BFloat16Format = &llvm::APFloat::BFloat();
 
   // Wider atomics are calls of the runtime, which takes a lock.
   MaxAtomicInlineWidth = 32;

@@ -10,6 +10,7 @@
 #include "clang/Basic/TargetInfo.h"
 #include "clang/Basic/TargetOptions.h"
 #include "llvm/ADT/IntrusiveRefCntPtr.h"
+#include "llvm/IR/DerivedTypes.h"
 
 namespace tp {
 
@@ -47,7 +48,12 @@ public:
   llvm::ArrayRef<const char *> getGCCRegNames() const override;
   llvm::ArrayRef<GCCRegAlias> getGCCRegAliases() const override;
 
+  bool hasInt128Type() const override { return true; }
   bool hasBitIntType() const override { return true; }
+  /// Division of more bits than the library's is expanded in line.
+  size_t getMaxBitIntWidth() const override {
+    return MaxBitIntWidth.value_or(llvm::IntegerType::MAX_INT_BITS);
+  }
   bool checkArithmeticFenceSupported() const override { return true; }
 
 private:
