@@ -35,9 +35,13 @@ enum class Group : unsigned {
   Atomic,
 };
 
-/// What a program has, found by following references from its roots.
+/// What a program has, found by following references from its roots into the
+/// program and what it takes of the runtime.
 class Reachability {
 public:
+  Reachability(Module &Program, Module *Runtime)
+      : Program(Program), Runtime(Runtime) {}
+
   void mark(const GlobalValue *Global);
   void follow();
   bool uses(Group Kind) const {
@@ -53,6 +57,8 @@ private:
   void noteType(Type *Used);
   void noteUse(Group Kind) { Groups |= 1u << unsigned(Kind); }
 
+  Module &Program;
+  Module *Runtime;
   SmallPtrSet<const Value *, 32> Marked;
   SmallVector<const GlobalValue *, 64> Pending;
   SmallPtrSet<Type *, 32> Types;
@@ -131,7 +137,15 @@ static Group groupOf(const Function &Candidate) {
   return Math == Group::None ? Group::Other : Math;
 }
 
+// The program's definition wins over the runtime's.
 void Reachability::mark(const GlobalValue *Global) {
+  if (Runtime && !Global->hasLocalLinkage() && !Global->hasAppendingLinkage()) {
+    const GlobalValue *Other = Program.getNamedValue(Global->getName());
+    if (!Other || Other->isDeclaration())
+      Other = Runtime->getNamedValue(Global->getName());
+    if (Other && !Other->isDeclaration())
+      Global = Other;
+  }
   if (Marked.insert(Global).second)
     Pending.push_back(Global);
 }
@@ -229,6 +243,9 @@ void Reachability::visit(const Instruction &Instruction, bool MayChangeCalls) {
 void Reachability::follow() {
   while (!Pending.empty()) {
     const GlobalValue *Global = Pending.pop_back_val();
+    if (Global->isMaterializable())
+      if (Error Failure = const_cast<GlobalValue *>(Global)->materialize())
+        report_fatal_error(std::move(Failure));
     visitOperands(*Global, /*MayChangeCalls=*/false);
     const auto *Body = dyn_cast<Function>(Global);
     if (!Body)
@@ -240,24 +257,31 @@ void Reachability::follow() {
   }
 }
 
-StringSet<> libraryFunctionsToKeep(const Module &Program,
+StringSet<> libraryFunctionsToKeep(Module &Program, Module *Runtime,
                                    const StringSet<> &Roots) {
-  Reachability Reached;
-  for (const GlobalValue &Global : Program.global_values())
-    if (Roots.contains(Global.getName()) || Global.hasAppendingLinkage())
-      Reached.mark(&Global);
+  Reachability Reached(Program, Runtime);
+  SmallVector<const Function *> Candidates;
+  for (const Module *Part : {&Program, Runtime}) {
+    if (!Part)
+      continue;
+    for (const GlobalValue &Global : Part->global_values())
+      if (Roots.contains(Global.getName()) || Global.hasAppendingLinkage())
+        Reached.mark(&Global);
+    for (const Function &F : *Part)
+      if (!F.isDeclaration() && groupOf(F) != Group::None)
+        Candidates.push_back(&F);
+  }
 
   StringSet<> Kept;
   for (bool Changed = true; Changed;) {
     Reached.follow();
     Changed = false;
-    for (const Function &Candidate : Program) {
-      Group Kind = groupOf(Candidate);
-      if (Candidate.isDeclaration() || Kind == Group::None ||
-          !Reached.uses(Kind) || !Kept.insert(Candidate.getName()).second)
+    for (const Function *Candidate : Candidates) {
+      if (!Reached.uses(groupOf(*Candidate)) ||
+          !Kept.insert(Candidate->getName()).second)
         continue;
       Changed = true;
-      Reached.mark(&Candidate);
+      Reached.mark(Candidate);
     }
   }
   return Kept;

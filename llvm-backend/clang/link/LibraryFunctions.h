@@ -12,13 +12,15 @@
 
 namespace tp {
 
-/// The functions of \p Program whose definitions have to stay until its code is
-/// generated, because the optimizer or the code generator may make calls of
-/// them that are not there yet: arithmetic like `__adddf3`, `memcpy`, and what
-/// a call of the library may turn into (`printf` into `puts`, `pow` into
-/// `exp2`). They stay only if what can be reached from \p Roots has the types
-/// or calls that lead to them.
-llvm::StringSet<> libraryFunctionsToKeep(const llvm::Module &Program,
+/// The functions of \p Program and \p Runtime (may be null) whose definitions
+/// have to stay until the program's code is generated, because the optimizer or
+/// the code generator may make calls of them that are not there yet: arithmetic
+/// like `__adddf3`, `memcpy`, and what a call of the library may turn into
+/// (`printf` into `puts`, `pow` into `exp2`). They stay only if what can be
+/// reached from \p Roots has the types or calls that lead to them. Of a runtime
+/// that is loaded lazily this materializes what the program takes.
+llvm::StringSet<> libraryFunctionsToKeep(llvm::Module &Program,
+                                         llvm::Module *Runtime,
                                          const llvm::StringSet<> &Roots);
 
 } // namespace tp

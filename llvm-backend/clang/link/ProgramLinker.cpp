@@ -10,7 +10,6 @@
 #include "llvm-backend/clang/link/InputFiles.h"
 #include "llvm-backend/clang/link/WholeProgram.h"
 #include "llvm/Bitcode/BitcodeReader.h"
-#include "llvm/IR/DebugInfo.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/ToolOutputFile.h"
 
@@ -35,17 +34,15 @@ static void addRuntime(WholeProgram &Program, LLVMContext &Context,
     return;
   }
   Expected<std::unique_ptr<Module>> Runtime =
-      parseBitcodeFile((*Buffer)->getMemBufferRef(), Context);
+      getOwningLazyBitcodeModule(std::move(*Buffer), Context);
   if (!Runtime) {
     Diags.error("cannot read the runtime '" + Path +
                 "': " + toString(Runtime.takeError()) +
                 "; build the target tp-runtime again");
     return;
   }
-  if (!Options.FullRuntimeDebugInfo)
-    stripNonLineTableDebugInfo(**Runtime);
   Program.addRuntime(std::move(*Runtime), "the runtime",
-                     Files.DefinedByObjects);
+                     Options.FullRuntimeDebugInfo, Files.DefinedByObjects);
 }
 
 // Bitcode and objects are linked at different stages, so that symbols that one
@@ -100,11 +97,6 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
     Infinities.add(Object);
   Infinities.report(Options.Warnings, Diags);
   reportDuplicates(Program, Files, Diags);
-  if (!Options.RuntimePath.empty())
-    addRuntime(Program, Context, Options, Files, Diags);
-  if (Diags.hasErrors())
-    return false;
-
   ElfLinkOptions ElfOptions;
   ElfOptions.EntrySymbol = Options.EntrySymbol;
   ElfOptions.Roots = Options.KeptSymbols;
@@ -116,16 +108,21 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
     return Program.referenceTo(Symbol, Function);
   };
 
+  StringSet<> Exported = Files.MentionedByObjects;
+  Exported.insert_range(ElfOptions.Roots);
+  Exported.insert(Options.EntrySymbol);
+  // The name stays for debuggers and profiles.
+  Exported.insert("main");
+  Program.exportSymbols(Exported);
+  if (!Options.RuntimePath.empty())
+    addRuntime(Program, Context, Options, Files, Diags);
+  if (Diags.hasErrors())
+    return false;
+
   std::vector<MemoryBufferRef> Objects;
   SmallVector<char, 0> ProgramObject;
   if (!Program.isEmpty()) {
-    StringSet<> Exported = Files.MentionedByObjects;
-    for (const std::string &Root : ElfOptions.Roots)
-      Exported.insert(Root);
-    Exported.insert(Options.EntrySymbol);
-    // The name stays for debuggers and profiles.
-    Exported.insert("main");
-    ProgramObject = Program.compile(Options.Level, Exported);
+    ProgramObject = Program.compile(Options.Level);
     if (Diags.hasErrors())
       return false;
     Objects.push_back({StringRef(ProgramObject.data(), ProgramObject.size()),

@@ -11,6 +11,7 @@
 #include "llvm/Analysis/CGSCCPassManager.h"
 #include "llvm/Analysis/LoopAnalysisManager.h"
 #include "llvm/Demangle/Demangle.h"
+#include "llvm/IR/DebugInfo.h"
 #include "llvm/IR/DiagnosticInfo.h"
 #include "llvm/IR/DiagnosticPrinter.h"
 #include "llvm/IR/LegacyPassManager.h"
@@ -94,11 +95,12 @@ void WholeProgram::recordSymbols(const Module &Unit, StringRef Name) {
   }
   ModuleSymbolTable::CollectAsmSymbols(
       Unit, [&](StringRef Symbol, object::BasicSymbolRef::Flags) {
-        UsedByAssembly.insert(Symbol);
+        Exported.insert(Symbol);
       });
 }
 
-void WholeProgram::link(std::unique_ptr<Module> Unit, StringRef Name) {
+void WholeProgram::link(std::unique_ptr<Module> Unit, StringRef Name,
+                        unsigned Flags) {
   Unit->setTargetTriple(Program->getTargetTriple());
   if (Unit->getDataLayout() != Program->getDataLayout()) {
     Diags.error(Name + ": was not compiled for the TP (data layout '" +
@@ -107,12 +109,12 @@ void WholeProgram::link(std::unique_ptr<Module> Unit, StringRef Name) {
   }
   ++Units;
   if (!Diags.hasErrors())
-    Linker::linkModules(*Program, std::move(Unit));
+    Linker::linkModules(*Program, std::move(Unit), Flags);
 }
 
 void WholeProgram::add(std::unique_ptr<Module> Unit, StringRef Name) {
   recordSymbols(*Unit, Name);
-  link(std::move(Unit), Name);
+  link(std::move(Unit), Name, Linker::None);
 }
 
 // Makes a definition a mere reference.
@@ -143,7 +145,26 @@ static void dropDefinition(GlobalValue &Global) {
   Global.eraseFromParent();
 }
 
+// Makes \p Unit refer to what another module defines.
+static void declare(const GlobalValue &Definition, Module &Unit) {
+  if (Unit.getNamedValue(Definition.getName()))
+    return;
+  if (auto *Type = dyn_cast<FunctionType>(Definition.getValueType()))
+    Function::Create(Type, GlobalValue::ExternalLinkage, Definition.getName(),
+                     Unit);
+  else
+    new GlobalVariable(Unit, Definition.getValueType(), /*isConstant=*/false,
+                       GlobalValue::ExternalLinkage, /*Initializer=*/nullptr,
+                       Definition.getName(), /*InsertBefore=*/nullptr,
+                       Definition.getThreadLocalMode());
+}
+
+void WholeProgram::exportSymbols(const StringSet<> &Symbols) {
+  Exported.insert_range(Symbols.keys());
+}
+
 void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
+                              bool FullDebugInfo,
                               const StringMap<std::string> &DefinedElsewhere) {
   SmallVector<GlobalValue *> Replaced;
   for (GlobalValue &Global : Runtime->global_values())
@@ -157,7 +178,17 @@ void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
   for (Function &F : *Runtime)
     if (!F.isDeclaration())
       F.addFnAttr(UncheckedFunctionAttribute);
-  add(std::move(Runtime), Name);
+
+  HasRuntime = true;
+  Exported.insert_range(
+      libraryFunctionsToKeep(*Program, Runtime.get(), Exported).keys());
+  for (const GlobalValue &Global : Runtime->global_values())
+    if (!Global.isDeclaration() && Exported.contains(Global.getName()))
+      declare(Global, *Program);
+  if (!FullDebugInfo)
+    stripNonLineTableDebugInfo(*Runtime);
+  recordSymbols(*Runtime, Name);
+  link(std::move(Runtime), Name, Linker::LinkOnlyNeeded);
 }
 
 std::string WholeProgram::referenceTo(StringRef Symbol,
@@ -177,12 +208,12 @@ StringRef WholeProgram::definitionOf(StringRef Symbol) const {
 // Compilation
 //===----------------------------------------------------------------------===//
 
-void WholeProgram::internalize(const StringSet<> &Exported) {
-  StringSet<> Kept = Exported;
-  Kept.insert_range(UsedByAssembly.keys());
-  Kept.insert_range(libraryFunctionsToKeep(*Program, Kept).keys());
+void WholeProgram::internalize() {
+  if (!HasRuntime)
+    Exported.insert_range(
+        libraryFunctionsToKeep(*Program, /*Runtime=*/nullptr, Exported).keys());
   internalizeModule(*Program, [&](const GlobalValue &Global) {
-    return Kept.contains(Global.getName());
+    return Exported.contains(Global.getName());
   });
 }
 
@@ -245,10 +276,9 @@ static std::unique_ptr<TargetMachine> createMachine(OptimizationLevel Level) {
       CodeModel::Small, codeGenLevel(Level)));
 }
 
-SmallVector<char, 0> WholeProgram::compile(OptimizationLevel Level,
-                                           const StringSet<> &Exported) {
+SmallVector<char, 0> WholeProgram::compile(OptimizationLevel Level) {
   std::unique_ptr<TargetMachine> Machine = createMachine(Level);
-  internalize(Exported);
+  internalize();
   optimize(Level, *Machine);
 
   SmallVector<char, 0> Object;

@@ -32,9 +32,15 @@ public:
   /// symbols that two units define.
   void add(std::unique_ptr<llvm::Module> Unit, llvm::StringRef Name);
 
-  /// Adds the runtime. Definitions of the program, or in \p DefinedElsewhere,
-  /// take the place of the runtime's.
+  /// Says that something outside may refer to the symbols. Not after
+  /// addRuntime().
+  void exportSymbols(const llvm::StringSet<> &Symbols);
+
+  /// Adds what the program needs of the runtime, a module that may be loaded
+  /// lazily. Definitions of the program, or in \p DefinedElsewhere, take the
+  /// place of the runtime's.
   void addRuntime(std::unique_ptr<llvm::Module> Runtime, llvm::StringRef Name,
+                  bool FullDebugInfo,
                   const llvm::StringMap<std::string> &DefinedElsewhere);
 
   bool isEmpty() const { return Units == 0; }
@@ -46,15 +52,14 @@ public:
   llvm::StringRef definitionOf(llvm::StringRef Symbol) const;
 
   /// Optimizes the program as a whole and compiles it.
-  /// \param Exported the symbols that something outside may refer to.
   /// \returns the object file; empty after an error.
-  llvm::SmallVector<char, 0> compile(llvm::OptimizationLevel Level,
-                                     const llvm::StringSet<> &Exported);
+  llvm::SmallVector<char, 0> compile(llvm::OptimizationLevel Level);
 
 private:
   void recordSymbols(const llvm::Module &Unit, llvm::StringRef Name);
-  void link(std::unique_ptr<llvm::Module> Unit, llvm::StringRef Name);
-  void internalize(const llvm::StringSet<> &Exported);
+  void link(std::unique_ptr<llvm::Module> Unit, llvm::StringRef Name,
+            unsigned Flags);
+  void internalize();
   void optimize(llvm::OptimizationLevel Level, llvm::TargetMachine &Machine);
 
   LinkDiagnostics &Diags;
@@ -62,8 +67,9 @@ private:
   unsigned Units = 0;
   llvm::StringMap<std::string> Definitions;
   llvm::StringMap<std::string> References;
-  /// Named in module-level assembly, where the optimizer cannot see it.
-  llvm::StringSet<> UsedByAssembly;
+  /// What others refer to: objects, module-level assembly, the code generator.
+  llvm::StringSet<> Exported;
+  bool HasRuntime = false;
 };
 
 } // namespace tp
