@@ -7,13 +7,18 @@
 #include "llvm-backend/clang/FrontendJob.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/ClangTargetInfo.h"
+#include "llvm-backend/clang/TimeReports.h"
 #include "clang/Basic/DiagnosticFrontend.h"
 #include "clang/CodeGen/CodeGenAction.h"
 #include "clang/Frontend/CompilerInstance.h"
 #include "clang/Frontend/CompilerInvocation.h"
 #include "clang/Frontend/TextDiagnosticBuffer.h"
 #include "clang/FrontendTool/Utils.h"
+#include "llvm/ADT/Statistic.h"
 #include "llvm/Support/CommandLine.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/TimeProfiler.h"
+#include "llvm/Support/Timer.h"
 
 using namespace clang;
 using namespace llvm;
@@ -111,6 +116,48 @@ static bool execute(CompilerInstance &Instance, FrontendAction &Action) {
   return Prepared && !Instance.getDiagnostics().getClient()->getNumErrors();
 }
 
+// -print-stats and -save-stats.
+static void writeStatistics(CompilerInstance &Instance) {
+  const FrontendOptions &Options = Instance.getFrontendOpts();
+  if (Options.ShowStats)
+    PrintStatistics(errs());
+  if (Options.StatsFile.empty())
+    return;
+  std::error_code Failure;
+  raw_fd_ostream File(Options.StatsFile, Failure,
+                      Options.AppendStats
+                          ? sys::fs::OF_TextWithCRLF | sys::fs::OF_Append
+                          : sys::fs::OF_TextWithCRLF);
+  if (Failure)
+    Instance.getDiagnostics().Report(diag::warn_fe_unable_to_open_stats_file)
+        << Options.StatsFile << Failure.message();
+  else
+    PrintStatisticsJSON(File);
+}
+
+// Executes Action and writes what the options want to know about the run.
+static bool executeAndReport(CompilerInstance &Instance,
+                             FrontendAction &Action) {
+  const FrontendOptions &Options = Instance.getFrontendOpts();
+  TimeTrace Trace({Options.TimeTracePath, Options.TimeTraceGranularity,
+                   Options.TimeTraceVerbose != 0});
+  if (Options.ShowStats || !Options.StatsFile.empty())
+    EnableStatistics(/*DoPrintOnExit=*/false);
+  const bool IsTimed = Instance.getCodeGenOpts().TimePasses;
+  bool Succeeded;
+  {
+    TimeTraceScope Scope("ExecuteCompiler");
+    if (IsTimed)
+      Instance.createFrontendTimer();
+    TimeRegion Region(IsTimed ? &Instance.getFrontendTimer() : nullptr);
+    Succeeded = execute(Instance, Action);
+  }
+  writeStatistics(Instance);
+  if (IsTimed)
+    printTimeReport();
+  return Succeeded;
+}
+
 std::unique_ptr<CompilerInstance>
 interpretArguments(ArrayRef<const char *> Arguments, const char *ToolPath) {
   auto Instance = createInstance(Arguments, ToolPath, new IgnoringDiagConsumer);
@@ -128,7 +175,7 @@ bool runFrontend(ArrayRef<const char *> Arguments, const char *ToolPath) {
   if (Instance->getDiagnostics().hasErrorOccurred())
     return false;
   std::unique_ptr<FrontendAction> Action = CreateFrontendAction(*Instance);
-  return Action && execute(*Instance, *Action);
+  return Action && executeAndReport(*Instance, *Action);
 }
 
 std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
@@ -146,7 +193,7 @@ std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
   Context.setDiscardValueNames(Instance->getCodeGenOpts().DiscardValueNames &&
                                !IsIr);
   EmitLLVMOnlyAction Action(&Context);
-  if (!execute(*Instance, Action))
+  if (!executeAndReport(*Instance, Action))
     return nullptr;
   return Action.takeModule();
 }

@@ -6,10 +6,12 @@
 
 #include "llvm-backend/clang/LinkJob.h"
 #include "llvm-backend/clang/FrontendJob.h"
+#include "llvm-backend/clang/LinkReports.h"
 #include "runtime/include/tp/memory_map.h"
 #include "clang/Driver/InputInfo.h"
 #include "clang/Options/Options.h"
 #include "llvm/Option/ArgList.h"
+#include "llvm/Pass.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 
@@ -109,6 +111,7 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
       Inputs.push_back({Word.File->getBaseInput(), nullptr,
                         Word.File->getFilename(), WholeArchive});
   }
+  Options.Reports = readProgramReports(Arguments, Options.OutputPath);
   if (const Arg *Entry = Arguments.getLastArg(OPT_e))
     Options.EntrySymbol = Entry->getValue();
   for (const std::string &Name : Arguments.getAllArgValues(OPT_u))
@@ -219,8 +222,15 @@ bool LinkJob::run(const Command &Job) {
   for (LinkInput &Input : Plan.Inputs)
     if (auto Unit = Units.find(Input.Path); Unit != Units.end())
       Input.Unit = std::move(Unit->second);
-  setBackendOptions(Jobs.getArgs().getAllArgValues(OPT_mllvm));
-  return linkProgram(Context, std::move(Plan.Inputs), Plan.Options, Diags);
+  const ArgList &Arguments = Jobs.getArgs();
+  setBackendOptions(Arguments.getAllArgValues(OPT_mllvm));
+  TimePassesIsEnabled = Arguments.hasArg(OPT_ftime_report, OPT_ftime_report_EQ);
+  TimeTrace Trace(readTimeTrace(Arguments, Plan.Options.OutputPath));
+  const bool Succeeded =
+      linkProgram(Context, std::move(Plan.Inputs), Plan.Options, Diags);
+  if (TimePassesIsEnabled)
+    printTimeReport();
+  return Succeeded;
 }
 
 void LinkJob::describe(const Compilation &Jobs, const Sysroot &Folders,

@@ -7,6 +7,7 @@
 #ifndef TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H
 #define TP_LLVM_BACKEND_CLANG_LINK_LINKDIAGNOSTICS_H
 
+#include "llvm-backend/clang/link/SourceMessages.h"
 #include "llvm-backend/clang/warnings/WarningOptions.h"
 #include "llvm/ADT/Twine.h"
 #include "llvm/Support/WithColor.h"
@@ -29,10 +30,17 @@ public:
               const llvm::Twine &Message) {
     Errors += reportWarning(Options, Warning, Message);
   }
+  /// Reports what concerns a place of the source.
+  void report(llvm::SourceMgr::DiagKind Kind, const SourcePlace &Place,
+              const llvm::Twine &Message) {
+    Errors += Kind == llvm::SourceMgr::DK_Error;
+    Sources.print(Kind, Place, Message);
+  }
   bool hasErrors() const { return Errors != 0; }
 
 private:
   unsigned Errors = 0;
+  SourceMessages Sources;
 };
 
 } // namespace tp

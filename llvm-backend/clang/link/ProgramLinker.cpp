@@ -87,7 +87,7 @@ bool linkProgram(LLVMContext &Context, std::vector<LinkInput> Inputs,
     Files.add(std::move(Input));
   Files.resolveArchives();
 
-  WholeProgram Program(Context, Diags);
+  WholeProgram Program(Context, Options.Reports, Diags);
   InfinityAssumptions Infinities;
   for (InputFiles::NamedUnit &Unit : Files.Units) {
     Infinities.add(*Unit.Unit);

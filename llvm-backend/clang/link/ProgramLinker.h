@@ -8,6 +8,7 @@
 #define TP_LLVM_BACKEND_CLANG_LINK_PROGRAMLINKER_H
 
 #include "llvm-backend/clang/link/LinkDiagnostics.h"
+#include "llvm-backend/clang/link/ProgramReports.h"
 #include "llvm-backend/clang/warnings/WarningOptions.h"
 #include "llvm/IR/Module.h"
 #include "llvm/Passes/OptimizationLevel.h"
@@ -49,6 +50,7 @@ struct LinkOptions {
   bool FullRuntimeDebugInfo = false;
   llvm::OptimizationLevel Level = llvm::OptimizationLevel::O0;
   WarningOptions Warnings;
+  ProgramReports Reports;
 };
 
 /// Links \p Inputs and the runtime: bitcode is optimized as one program, then

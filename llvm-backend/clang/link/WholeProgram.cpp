@@ -8,18 +8,22 @@
 #include "llvm-backend/FloatingPoint/Check/CheckPass.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/link/LibraryFunctions.h"
+#include "llvm-backend/clang/link/ProgramRemarks.h"
 #include "llvm/Analysis/CGSCCPassManager.h"
 #include "llvm/Analysis/LoopAnalysisManager.h"
+#include "llvm/Bitcode/BitcodeReader.h"
+#include "llvm/Bitcode/BitcodeWriter.h"
 #include "llvm/Demangle/Demangle.h"
 #include "llvm/IR/DebugInfo.h"
-#include "llvm/IR/DiagnosticInfo.h"
-#include "llvm/IR/DiagnosticPrinter.h"
+#include "llvm/IR/LLVMRemarkStreamer.h"
 #include "llvm/IR/LegacyPassManager.h"
 #include "llvm/Linker/Linker.h"
 #include "llvm/MC/TargetRegistry.h"
 #include "llvm/Object/ModuleSymbolTable.h"
 #include "llvm/Passes/PassBuilder.h"
 #include "llvm/Passes/StandardInstrumentations.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/TimeProfiler.h"
 #include "llvm/Target/TargetMachine.h"
 #include "llvm/Target/TargetOptions.h"
 #include "llvm/Transforms/IPO/GlobalDCE.h"
@@ -29,32 +33,12 @@ using namespace llvm;
 
 namespace tp {
 
-namespace {
-/// Prints what LLVM says of the program as the linker's own messages.
-class LinkDiagnosticHandler final : public DiagnosticHandler {
-public:
-  explicit LinkDiagnosticHandler(LinkDiagnostics &Diags) : Diags(Diags) {}
-
-  bool handleDiagnostics(const DiagnosticInfo &Info) override {
-    std::string Message;
-    raw_string_ostream Stream(Message);
-    DiagnosticPrinterRawOStream Printer(Stream);
-    Info.print(Printer);
-    if (Info.getSeverity() == DS_Error)
-      Diags.error(Message);
-    else if (Info.getSeverity() == DS_Warning)
-      Diags.warning(Message);
-    return true;
-  }
-
-private:
-  LinkDiagnostics &Diags;
-};
-} // namespace
-
-WholeProgram::WholeProgram(LLVMContext &Context, LinkDiagnostics &Diags)
-    : Diags(Diags), Program(std::make_unique<Module>("program", Context)) {
-  Context.setDiagnosticHandler(std::make_unique<LinkDiagnosticHandler>(Diags));
+WholeProgram::WholeProgram(LLVMContext &Context, const ProgramReports &Reports,
+                           LinkDiagnostics &Diags)
+    : Reports(Reports), Diags(Diags),
+      Program(std::make_unique<Module>("program", Context)) {
+  Context.setDiagnosticHandler(
+      std::make_unique<ProgramRemarks>(Diags, Reports.Remarks));
   Program->setTargetTriple(Triple(TPTriple));
   Program->setDataLayout(TPDataLayout);
 }
@@ -176,8 +160,10 @@ void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
     dropDefinition(*Global);
   // It uses infinities and NaNs on purpose.
   for (Function &F : *Runtime)
-    if (!F.isDeclaration())
+    if (!F.isDeclaration()) {
       F.addFnAttr(UncheckedFunctionAttribute);
+      silenceRemarks(F);
+    }
 
   HasRuntime = true;
   Exported.insert_range(
@@ -276,20 +262,90 @@ static std::unique_ptr<TargetMachine> createMachine(OptimizationLevel Level) {
       CodeModel::Small, codeGenLevel(Level)));
 }
 
-SmallVector<char, 0> WholeProgram::compile(OptimizationLevel Level) {
-  std::unique_ptr<TargetMachine> Machine = createMachine(Level);
-  internalize();
-  optimize(Level, *Machine);
-
-  SmallVector<char, 0> Object;
-  raw_svector_ostream Stream(Object);
+static void emit(Module &Program, TargetMachine &Machine,
+                 raw_pwrite_stream &Stream, CodeGenFileType Kind) {
   legacy::PassManager Passes;
-  if (Machine->addPassesToEmitFile(Passes, Stream, /*DwoOut=*/nullptr,
-                                   CodeGenFileType::ObjectFile))
-    report_fatal_error("the code generator cannot write objects");
-  Passes.run(*Program);
+  if (Machine.addPassesToEmitFile(Passes, Stream, /*DwoOut=*/nullptr, Kind))
+    report_fatal_error("the code generator cannot write the program");
+  Passes.run(Program);
+}
+
+// Writes what Print prints to a file of -save-temps.
+static void saveTemporary(const Twine &Path, LinkDiagnostics &Diags,
+                          function_ref<void(raw_fd_ostream &)> Print) {
+  std::error_code Failure;
+  raw_fd_ostream File(Path.str(), Failure, sys::fs::OF_None);
+  if (Failure)
+    Diags.error("cannot write '" + Path + "': " + Failure.message());
+  else
+    Print(File);
+}
+
+namespace {
+/// Keeps to itself what LLVM says a second time.
+class SilentHandler final : public DiagnosticHandler {
+public:
+  bool handleDiagnostics(const DiagnosticInfo &) override { return true; }
+};
+} // namespace
+
+// Bitcode and assembly. The code generator changes its module and reports, so
+// that the assembly is made from a copy of its own.
+void WholeProgram::saveOptimized(OptimizationLevel Level) {
+  SmallString<0> Bitcode;
+  raw_svector_ostream Stream(Bitcode);
+  WriteBitcodeToFile(*Program, Stream);
+  saveTemporary(Reports.TemporariesPath + ".lto.bc", Diags,
+                [&](raw_fd_ostream &File) { File << Bitcode; });
+
+  LLVMContext Context;
+  Context.setDiagnosticHandler(std::make_unique<SilentHandler>());
+  Expected<std::unique_ptr<Module>> Copy =
+      parseBitcodeFile({Bitcode, "program"}, Context);
+  if (!Copy)
+    report_fatal_error(Copy.takeError());
+  saveTemporary(Reports.TemporariesPath + ".lto.s", Diags,
+                [&](raw_fd_ostream &File) {
+                  emit(**Copy, *createMachine(Level), File,
+                       CodeGenFileType::AssemblyFile);
+                });
+}
+
+void WholeProgram::optimizeAndEmit(OptimizationLevel Level,
+                                   raw_pwrite_stream &Object) {
+  std::unique_ptr<TargetMachine> Machine = createMachine(Level);
+  Machine->Options.StackUsageOutput = Reports.StackUsagePath;
+  {
+    TimeTraceScope Scope("OptimizeProgram");
+    optimize(Level, *Machine);
+  }
+  if (!Reports.TemporariesPath.empty())
+    saveOptimized(Level);
+  TimeTraceScope Scope("GenerateCode");
+  emit(*Program, *Machine, Object, CodeGenFileType::ObjectFile);
+}
+
+SmallVector<char, 0> WholeProgram::compile(OptimizationLevel Level) {
+  internalize();
+  SmallVector<char, 0> Object;
+  Expected<LLVMRemarkFileHandle> Record = setupLLVMOptimizationRemarks(
+      Program->getContext(), Reports.RecordPath, Reports.RecordPasses,
+      Reports.RecordFormat, /*RemarksWithHotness=*/false);
+  if (!Record) {
+    Diags.error("cannot write the optimization record '" + Reports.RecordPath +
+                "': " + toString(Record.takeError()));
+    return Object;
+  }
+  raw_svector_ostream Stream(Object);
+  optimizeAndEmit(Level, Stream);
+  if (*Record)
+    (*Record)->keep();
+  Record->finalize();
   if (Diags.hasErrors())
     Object.clear();
+  if (!Reports.TemporariesPath.empty())
+    saveTemporary(Reports.TemporariesPath + ".lto.o", Diags,
+                  [&](raw_fd_ostream &File) { File << Stream.str(); });
   return Object;
 }
 

@@ -8,6 +8,7 @@
 #define TP_LLVM_BACKEND_CLANG_LINK_WHOLEPROGRAM_H
 
 #include "llvm-backend/clang/link/LinkDiagnostics.h"
+#include "llvm-backend/clang/link/ProgramReports.h"
 #include "llvm/ADT/SmallVector.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/ADT/StringSet.h"
@@ -26,7 +27,8 @@ namespace tp {
 /// All bitcode of a program as one module.
 class WholeProgram {
 public:
-  WholeProgram(llvm::LLVMContext &Context, LinkDiagnostics &Diags);
+  WholeProgram(llvm::LLVMContext &Context, const ProgramReports &Reports,
+               LinkDiagnostics &Diags);
 
   /// Adds a translation unit; \p Name is the user's name for it. Reports
   /// symbols that two units define.
@@ -61,7 +63,11 @@ private:
             unsigned Flags);
   void internalize();
   void optimize(llvm::OptimizationLevel Level, llvm::TargetMachine &Machine);
+  void optimizeAndEmit(llvm::OptimizationLevel Level,
+                       llvm::raw_pwrite_stream &Object);
+  void saveOptimized(llvm::OptimizationLevel Level);
 
+  const ProgramReports &Reports;
   LinkDiagnostics &Diags;
   std::unique_ptr<llvm::Module> Program;
   unsigned Units = 0;
