@@ -39,6 +39,8 @@ void abort(void) __attribute__((noreturn));
 /* Called by the last thread that ends. */
 int atexit(void (*Function)(void));
 
+/* One heap for all threads, behind the program in global memory. Memory that is
+ * given back joins what is free beside it. */
 void *malloc(size_t Bytes) __attribute__((malloc));
 void *calloc(size_t Count, size_t Bytes) __attribute__((malloc));
 void *realloc(void *Memory, size_t Bytes);
