@@ -25,7 +25,7 @@ BUILTINS = ROOT / "llvm-backend/TPBuiltins.def"
 C_TYPES = {"v": "void", "i": "int", "Ui": "unsigned", "IUi": "unsigned",
            "f": "float", "Ui*": "unsigned *"}
 RISCV = ["--target=riscv32-unknown-elf", "-march=rv32imf_zba_zbb",
-         "-mabi=ilp32f", "-std=gnu++20", "-ffreestanding", "-fno-exceptions",
+         "-mabi=ilp32f", "-std=gnu++20", "-fno-exceptions",
          "-fno-rtti", "-ffp-contract=off", "-fno-math-errno",
          "-fno-strict-float-cast-overflow", "-ftls-model=local-exec",
          "-nostdlibinc", "-D__tp__", "-D__TP__", "-D__TP_TRIG__"]
