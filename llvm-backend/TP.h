@@ -19,6 +19,9 @@ class TPTargetMachine;
 /// Creates the pass that turns the selection DAG into TP instructions.
 FunctionPass *createTPISelDag(TPTargetMachine &TM, CodeGenOptLevel OptLevel);
 
+/// Creates the pass that tells debuggers of variables behind pointer arguments.
+FunctionPass *createTPArgumentVariablesPass();
+
 /// Creates the pass that gives the declarations of the TP builtins the
 /// attributes that TPBuiltins.def promises.
 ModulePass *createTPBuiltinAttributesPass();
@@ -32,6 +35,7 @@ FunctionPass *createTPStrictHalfFloatsPass();
 /// Adds the assembly printer to LLVM's target registry.
 void registerTPAsmPrinter();
 
+void initializeTPArgumentVariablesPass(PassRegistry &);
 void initializeTPAsmPrinterPass(PassRegistry &);
 void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
 void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);

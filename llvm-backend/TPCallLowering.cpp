@@ -14,6 +14,7 @@
 #include "llvm/IR/DiagnosticInfo.h"
 #include "llvm/IR/InstrTypes.h"
 #include "llvm/IR/Instructions.h"
+#include "llvm/Target/TargetMachine.h"
 
 using namespace llvm;
 
@@ -174,6 +175,13 @@ SDValue TPTargetLowering::LowerCall(CallLoweringInfo &CLI,
   if (!Stores.empty())
     Chain = DAG.getNode(ISD::TokenFactor, DL, MVT::Other, Stores);
 
+  MachineFunction::CallSiteInfo CallSite;
+  if (MF.getTarget().Options.EmitCallSiteInfo)
+    for (auto [Location, Out] : zip_equal(Locations, CLI.Outs))
+      if (Location.isRegLoc())
+        CallSite.ArgRegPairs.emplace_back(Location.getLocReg(),
+                                          Out.OrigArgIndex);
+
   SDValue Glue;
   for (auto &[Reg, Value] : Registers) {
     Chain = DAG.getCopyToReg(Chain, DL, Reg, Value, Glue);
@@ -196,12 +204,15 @@ SDValue TPTargetLowering::LowerCall(CallLoweringInfo &CLI,
 
   if (CLI.IsTailCall) {
     MF.getFrameInfo().setHasTailCall();
-    return DAG.getNode(TPISD::TAIL_CALL, DL, MVT::Other, Ops);
+    SDValue TailCall = DAG.getNode(TPISD::TAIL_CALL, DL, MVT::Other, Ops);
+    DAG.addCallSiteInfo(TailCall.getNode(), std::move(CallSite));
+    return TailCall;
   }
 
   Chain =
       DAG.getNode(TPISD::CALL, DL, DAG.getVTList(MVT::Other, MVT::Glue), Ops);
   DAG.addNoMergeSiteInfo(Chain.getNode(), CLI.NoMerge);
+  DAG.addCallSiteInfo(Chain.getNode(), std::move(CallSite));
   Glue = Chain.getValue(1);
   Chain = DAG.getCALLSEQ_END(Chain, StackBytes, 0, Glue, DL);
   Glue = Chain.getValue(1);

@@ -119,6 +119,29 @@ void TPFrameLowering::emitEpilogue(MachineFunction &MF,
   CFI.buildDefCFAOffset(0);
 }
 
+bool TPFrameLowering::spillCalleeSavedRegisters(
+    MachineBasicBlock &MBB, MachineBasicBlock::iterator I,
+    ArrayRef<CalleeSavedInfo> Saved, const TargetRegisterInfo *TRI) const {
+  for (const CalleeSavedInfo &Info : Saved)
+    STI.getInstrInfo()->storeRegToStackSlot(
+        MBB, I, Info.getReg(), /*IsKill=*/true, Info.getFrameIdx(),
+        TRI->getMinimalPhysRegClass(Info.getReg()), Register(),
+        MachineInstr::FrameSetup);
+  return true;
+}
+
+bool TPFrameLowering::restoreCalleeSavedRegisters(
+    MachineBasicBlock &MBB, MachineBasicBlock::iterator I,
+    MutableArrayRef<CalleeSavedInfo> Saved,
+    const TargetRegisterInfo *TRI) const {
+  for (const CalleeSavedInfo &Info : reverse(Saved))
+    STI.getInstrInfo()->loadRegFromStackSlot(
+        MBB, I, Info.getReg(), Info.getFrameIdx(),
+        TRI->getMinimalPhysRegClass(Info.getReg()), Register(), /*SubReg=*/0,
+        MachineInstr::FrameDestroy);
+  return true;
+}
+
 StackOffset TPFrameLowering::getFrameIndexReference(const MachineFunction &MF,
                                                     int FI,
                                                     Register &FrameReg) const {

@@ -11,6 +11,7 @@
 #include "llvm/CodeGen/MachineFrameInfo.h"
 #include "llvm/CodeGen/MachineInstrBuilder.h"
 #include "llvm/CodeGen/MachineMemOperand.h"
+#include "llvm/IR/DebugInfoMetadata.h"
 #include "llvm/MC/MCAsmInfo.h"
 #include "llvm/Support/ErrorHandling.h"
 #include "llvm/Target/TargetMachine.h"
@@ -134,8 +135,8 @@ void TPInstrInfo::storeRegToStackSlot(MachineBasicBlock &MBB,
                                       const TargetRegisterClass *RC, Register,
                                       MachineInstr::MIFlag Flags) const {
   unsigned Opcode = TP::FPRRegClass.hasSubClassEq(RC) ? TP::SWC1 : TP::SW;
-  DebugLoc DL = I != MBB.end() ? I->getDebugLoc() : DebugLoc();
-  BuildMI(MBB, I, DL, get(Opcode))
+  // No place of the source: a debugger would stop there again.
+  BuildMI(MBB, I, DebugLoc(), get(Opcode))
       .addReg(SrcReg, getKillRegState(IsKill))
       .addFrameIndex(FrameIndex)
       .addImm(0)
@@ -151,7 +152,7 @@ void TPInstrInfo::loadRegFromStackSlot(MachineBasicBlock &MBB,
                                        unsigned,
                                        MachineInstr::MIFlag Flags) const {
   unsigned Opcode = TP::FPRRegClass.hasSubClassEq(RC) ? TP::LWC1 : TP::LW;
-  DebugLoc DL = I != MBB.end() ? I->getDebugLoc() : DebugLoc();
+  const DebugLoc DL = MBB.findDebugLoc(I);
   BuildMI(MBB, I, DL, get(Opcode), DestReg)
       .addFrameIndex(FrameIndex)
       .addImm(0)
@@ -180,6 +181,81 @@ Register TPInstrInfo::isStoreToStackSlot(const MachineInstr &MI,
   if (MI.getOpcode() != TP::SW && MI.getOpcode() != TP::SWC1)
     return Register();
   return getStackSlotRegister(MI, FrameIndex);
+}
+
+// Behind frame lowering only the memory operand knows the slot.
+static Register
+getLoweredSlotRegister(const MachineInstr &MI,
+                       ArrayRef<const MachineMemOperand *> Accesses,
+                       int &FrameIndex) {
+  if (Accesses.empty())
+    return Register();
+  FrameIndex =
+      cast<FixedStackPseudoSourceValue>(Accesses.front()->getPseudoValue())
+          ->getFrameIndex();
+  return MI.getOperand(0).getReg();
+}
+
+Register TPInstrInfo::isLoadFromStackSlotPostFE(const MachineInstr &MI,
+                                                int &FrameIndex) const {
+  SmallVector<const MachineMemOperand *, 1> Accesses;
+  if ((MI.getOpcode() != TP::LW && MI.getOpcode() != TP::LWC1) ||
+      !hasLoadFromStackSlot(MI, Accesses))
+    return Register();
+  return getLoweredSlotRegister(MI, Accesses, FrameIndex);
+}
+
+Register TPInstrInfo::isStoreToStackSlotPostFE(const MachineInstr &MI,
+                                               int &FrameIndex) const {
+  SmallVector<const MachineMemOperand *, 1> Accesses;
+  if ((MI.getOpcode() != TP::SW && MI.getOpcode() != TP::SWC1) ||
+      !hasStoreToStackSlot(MI, Accesses))
+    return Register();
+  return getLoweredSlotRegister(MI, Accesses, FrameIndex);
+}
+
+//===----------------------------------------------------------------------===//
+// What debuggers are told
+//===----------------------------------------------------------------------===//
+
+std::optional<RegImmPair> TPInstrInfo::isAddImmediate(const MachineInstr &MI,
+                                                      Register Reg) const {
+  if (MI.getOpcode() != TP::ADDI || MI.getOperand(0).getReg() != Reg ||
+      !MI.getOperand(1).isReg() || !MI.getOperand(2).isImm())
+    return std::nullopt;
+  return RegImmPair{MI.getOperand(1).getReg(), MI.getOperand(2).getImm()};
+}
+
+// The bits that \p MI puts into its register, if they are a constant.
+static std::optional<int64_t> getLoadedConstant(const MachineInstr &MI) {
+  switch (MI.getOpcode()) {
+  case TP::ADDI:
+  case TP::ORI:
+    if (MI.getOperand(1).isReg() && MI.getOperand(1).getReg() == TP::R0 &&
+        MI.getOperand(2).isImm())
+      return MI.getOperand(2).getImm();
+    return std::nullopt;
+  case TP::LUI:
+    if (MI.getOperand(1).isImm())
+      return SignExtend64<32>(MI.getOperand(1).getImm() << 16);
+    return std::nullopt;
+  case TP::MTC1:
+    if (MI.getOperand(1).getReg() == TP::R0)
+      return 0;
+    return std::nullopt;
+  default:
+    return std::nullopt;
+  }
+}
+
+std::optional<ParamLoadedValue>
+TPInstrInfo::describeLoadedValue(const MachineInstr &MI, Register Reg) const {
+  if (std::optional<int64_t> Value = getLoadedConstant(MI);
+      Value && MI.getOperand(0).getReg() == Reg)
+    return ParamLoadedValue(
+        MachineOperand::CreateImm(*Value),
+        DIExpression::get(MI.getMF()->getFunction().getContext(), {}));
+  return TPGenInstrInfo::describeLoadedValue(MI, Reg);
 }
 
 //===----------------------------------------------------------------------===//

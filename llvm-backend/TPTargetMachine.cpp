@@ -32,6 +32,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
 
     PassRegistry &Registry = *PassRegistry::getPassRegistry();
     initializeTPAsmPrinterPass(Registry);
+    initializeTPArgumentVariablesPass(Registry);
     initializeTPBuiltinAttributesLegacyPass(Registry);
     initializeTPDAGToDAGISelLegacyPass(Registry);
     initializeTPGlobalLoadsPass(Registry);
@@ -54,6 +55,7 @@ TPTargetMachine::TPTargetMachine(const Target &T, const Triple &TT,
           Reloc::Static, getEffectiveCodeModel(CM, CodeModel::Small), OptLevel),
       ObjectFileLowering(std::make_unique<TargetLoweringObjectFileELF>()) {
   this->Options.EnableCFIFixup = true;
+  setSupportsDebugEntryValues(true);
   if (isFloatingPointCanonicalizationEnabled())
     this->Options.AllowFPOpFusion = FPOpFusion::Strict;
   initAsmInfo();
@@ -127,6 +129,7 @@ public:
   void addIRPasses() override {
     addPass(createTPBuiltinAttributesPass());
     addPass(createTPStrictHalfFloatsPass());
+    addPass(createTPArgumentVariablesPass());
     addPass(createAtomicExpandLegacyPass());
     TargetPassConfig::addIRPasses();
   }

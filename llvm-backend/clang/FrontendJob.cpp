@@ -35,6 +35,12 @@ void setBackendOptions(ArrayRef<std::string> Options) {
   cl::ParseCommandLineOptions(Arguments.size(), Arguments.data());
 }
 
+// Clang does that for the targets that it knows.
+static void describeCallSites(CodeGenOptions &Options) {
+  if (Options.OptimizationLevel > 0 && Options.hasReducedDebugInfo())
+    Options.EmitCallSiteInfo = true;
+}
+
 // Prints to \p Client, or as the arguments say if it is null.
 static std::unique_ptr<CompilerInstance>
 createInstance(ArrayRef<const char *> Arguments, const char *ToolPath,
@@ -54,6 +60,8 @@ createInstance(ArrayRef<const char *> Arguments, const char *ToolPath,
   // Several jobs share this process: each has to give back what it takes.
   Invocation->getFrontendOpts().DisableFree = false;
   Invocation->getCodeGenOpts().DisableFree = false;
+
+  describeCallSites(Invocation->getCodeGenOpts());
 
   auto Instance = std::make_unique<CompilerInstance>(std::move(Invocation));
   Instance->createVirtualFileSystem();

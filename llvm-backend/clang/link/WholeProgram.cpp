@@ -251,6 +251,8 @@ static std::unique_ptr<TargetMachine> createMachine(OptimizationLevel Level) {
   Options.FunctionSections = true;
   Options.DataSections = true;
   Options.UseInitArray = true;
+  // Debuggers find there what a caller passed.
+  Options.EmitCallSiteInfo = Level != OptimizationLevel::O0;
   std::string LookupError;
   Triple TargetTriple(TPTriple);
   const Target *TheTarget =
