@@ -9,9 +9,9 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY
   "compiler and simulator of a ray-tracing chip")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "tpcc compiles C and C++20 for the thread processors (TP) of a simulated
- ray-tracing chip, and tpsim runs the program and says where the cycles went.
- With the assembler, the disassembler, the TP's C library, chip descriptions,
- the sources of the rendering kernels, and a CMake package: find_package(TP).")
+ray-tracing chip, and tpsim runs the program and says where the cycles went.
+With the assembler, the disassembler, the TP's C library, chip descriptions,
+the sources of the rendering kernels, and a CMake package: find_package(TP).")
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
