@@ -12,10 +12,12 @@
 #include "llvm-backend/clang/FloatingPointFlagWarnings.h"
 #include "llvm-backend/clang/FloatingPointReport.h"
 #include "llvm-backend/clang/FrontendJob.h"
+#include "llvm-backend/clang/JobPlan.h"
 #include "llvm-backend/clang/LinkJob.h"
 #include "llvm-backend/clang/OwnOptions.h"
 #include "llvm-backend/clang/RefusedOptions.h"
 #include "clang/Basic/DiagnosticDriver.h"
+#include "clang/Basic/DiagnosticFrontend.h"
 #include "clang/Driver/Compilation.h"
 #include "clang/Driver/Driver.h"
 #include "clang/Frontend/CompilerInstance.h"
@@ -23,6 +25,7 @@
 #include "clang/Frontend/TextDiagnosticPrinter.h"
 #include "clang/Options/Options.h"
 #include "llvm/ADT/StringSet.h"
+#include "llvm/Bitcode/BitcodeWriter.h"
 #include "llvm/Option/OptTable.h"
 #include "llvm/Support/ErrorHandling.h"
 #include "llvm/Support/FileSystem.h"
@@ -45,9 +48,10 @@ enum class JobKind { Frontend, Assembler, Link };
 /// Runs the jobs of one compilation one after the other.
 class JobRunner {
 public:
-  JobRunner(Compilation &Jobs, const std::string &ToolPath,
+  JobRunner(Compilation &Jobs, const JobPlan &Plan, const std::string &ToolPath,
             const Sysroot &Folders, const WarningOptions &Warnings)
-      : Jobs(Jobs), ToolPath(ToolPath), Link(Jobs, Folders, Warnings) {}
+      : Jobs(Jobs), Plan(Plan), ToolPath(ToolPath),
+        Link(Jobs, Plan, Folders, Warnings) {}
 
   bool runAll(bool Verbose);
 
@@ -59,6 +63,7 @@ private:
   bool run(const Command &Job);
 
   Compilation &Jobs;
+  const JobPlan &Plan;
   const std::string &ToolPath;
   LinkJob Link;
   StringSet<> MissingOutputs;
@@ -83,19 +88,34 @@ bool JobRunner::isTemporary(StringRef File) const {
   return is_contained(Jobs.getTempFiles(), File);
 }
 
+// What -save-temps keeps.
+static bool writeBitcode(const llvm::Module &Unit, StringRef Path,
+                         DiagnosticsEngine &Diags) {
+  std::error_code Failure;
+  raw_fd_ostream File(Path, Failure, sys::fs::OF_None);
+  if (Failure) {
+    Diags.Report(diag::err_fe_unable_to_open_output)
+        << Path << Failure.message();
+    return false;
+  }
+  WriteBitcodeToFile(Unit, File);
+  return true;
+}
+
 bool JobRunner::compile(const Command &Job) {
   ArrayRef<const char *> Arguments(Job.getArguments());
   Arguments = Arguments.drop_front();
-  // Bitcode that only the link wants stays in memory.
-  if (!is_contained(Arguments, StringRef("-emit-llvm-bc")) ||
-      Job.getOutputFilenames().empty() ||
-      !isTemporary(Job.getOutputFilenames().front()))
+  if (!Plan.isUnit(Job))
     return runFrontend(Arguments, ToolPath.c_str());
   std::unique_ptr<llvm::Module> Unit =
       compileToModule(Arguments, ToolPath.c_str(), Link.context());
   if (!Unit)
     return false;
-  Link.addUnit(Job.getOutputFilenames().front(), std::move(Unit));
+  StringRef Output = Job.getOutputFilenames().front();
+  if (!isTemporary(Output) &&
+      !writeBitcode(*Unit, Output, Jobs.getDriver().getDiags()))
+    return false;
+  Link.addUnit(Output, std::move(Unit));
   return true;
 }
 
@@ -115,6 +135,8 @@ bool JobRunner::run(const Command &Job) {
 bool JobRunner::runAll(bool Verbose) {
   bool Succeeded = true;
   for (const Command &Job : Jobs.getJobs()) {
+    if (Plan.isDropped(Job))
+      continue;
     if (Verbose)
       Job.Print(errs(), "\n", /*Quote=*/false);
     if (!dependsOnFailure(Job) && run(Job))
@@ -128,52 +150,58 @@ bool JobRunner::runAll(bool Verbose) {
   return Succeeded;
 }
 
+static bool isWholeProgram(const ArgList &UserArguments) {
+  return UserArguments.hasFlag(OPT_flto, OPT_flto_EQ, OPT_fno_lto, true);
+}
+
 // What goes to clang's driver: the defaults, then the user's words without
-// -### and -v, at which clang's driver would print its own version.
+// -### and -v, at which clang's driver would print its own version, and
+// without -flto where it is the default.
 static SmallVector<const char *, 64>
-driverArguments(const TranslatedCommandLine &User, bool Verbose,
+driverArguments(const TranslatedCommandLine &User, const ArgList &UserArguments,
                 const std::string &ToolPath) {
   SmallVector<const char *, 64> Arguments{ToolPath.c_str(),
                                           "--start-no-unused-arguments"};
   append_range(Arguments, defaultDriverArguments());
   append_range(Arguments, User.Defaults);
   Arguments.push_back("--end-no-unused-arguments");
-  if (Verbose)
+  if (UserArguments.hasArg(OPT_v))
     append_range(Arguments, ArrayRef<const char *>{"-Xclang", "-v"});
-  for (const char *Argument : User.Words)
-    if (StringRef(Argument) != "-###" && StringRef(Argument) != "-v")
-      Arguments.push_back(Argument);
+  // Objects are bitcode only if -flto says so.
+  const bool Links = !UserArguments.hasArg(OPT_c, OPT_S);
+  for (const CommandLineOption &Option : splitCommandLine(User.Words)) {
+    const bool IsImplied =
+        Option.ID == OPT__HASH_HASH_HASH || Option.ID == OPT_v ||
+        (Links && (Option.ID == OPT_flto || Option.ID == OPT_flto_EQ));
+    if (!IsImplied)
+      append_range(Arguments, Option.Words);
+  }
   return Arguments;
 }
 
 // Gives the jobs that clang's driver has planned what it does not know.
-static void completeJobs(Compilation &Jobs, const ArgList &UserArguments,
+static void completeJobs(Compilation &Jobs, const JobPlan &Plan,
+                         const ArgList &UserArguments,
                          ArrayRef<const char *> WarningWords,
                          const Sysroot &Folders, const std::string &ToolPath) {
-  StringSet<> LinkInputs;
-  if (UserArguments.hasFlag(OPT_flto, OPT_flto_EQ, OPT_fno_lto, true))
-    for (const Command &Job : Jobs.getJobs())
-      if (isa<LinkJobAction>(Job.getSource()))
-        for (const InputInfo &Input : Job.getInputInfos())
-          if (Input.isFilename() &&
-              is_contained(Jobs.getTempFiles(), StringRef(Input.getFilename())))
-            LinkInputs.insert(Input.getFilename());
-
   for (Command &Job : Jobs.getJobs()) {
     if (isa<LinkJobAction>(Job.getSource())) {
-      LinkJob::describe(Jobs, Folders, ToolPath, Job);
+      LinkJob::describe(Jobs, Plan, ToolPath, WarningWords, Job);
       continue;
     }
     ArgStringList JobArguments = Job.getArguments();
     completeJobArguments(UserArguments, WarningWords, Folders, Jobs.getArgs(),
                          JobArguments);
-    if (StringRef(JobArguments.front()) == "-cc1" &&
-        any_of(Job.getOutputFilenames(), [&](const std::string &Output) {
-          return LinkInputs.contains(Output);
-        }))
+    if (Plan.isUnit(Job))
       compileForWholeProgram(JobArguments);
     Job.replaceArguments(std::move(JobArguments));
   }
+}
+
+static void printJobs(const Compilation &Jobs, const JobPlan &Plan) {
+  for (const Command &Job : Jobs.getJobs())
+    if (!Plan.isDropped(Job))
+      Job.Print(errs(), "\n", /*Quote=*/true);
 }
 
 static bool isInternalTool(ArrayRef<const char *> Arguments) {
@@ -269,7 +297,7 @@ static int compileAndLink(TranslatedCommandLine &Translated,
                                   "tpcc, compiler for the thread processor");
   TheDriver.Name = "tpcc";
   SmallVector<const char *, 64> AllArguments =
-      driverArguments(Translated, Verbose, ToolPath);
+      driverArguments(Translated, UserArguments, ToolPath);
   std::unique_ptr<Compilation> Jobs(TheDriver.BuildCompilation(AllArguments));
   if (!Jobs)
     return Diags.hasErrorOccurred();
@@ -283,15 +311,16 @@ static int compileAndLink(TranslatedCommandLine &Translated,
     return printFloatingPoint(Resolver, Given);
 
   Sysroot Folders(ToolPath);
-  completeJobs(*Jobs, UserArguments, Translated.WarningWords, Folders,
+  const JobPlan Plan(*Jobs, isWholeProgram(UserArguments));
+  completeJobs(*Jobs, Plan, UserArguments, Translated.WarningWords, Folders,
                ToolPath);
   bool Succeeded = true;
   if (DryRun) {
     if (auto Settings = Resolver.resolve(Given))
       printFloatingPointComment(errs(), *Settings);
-    Jobs->getJobs().Print(errs(), "\n", /*Quote=*/true);
-  } else {
-    Succeeded = JobRunner(*Jobs, ToolPath, Folders, Translated.Warnings)
+    printJobs(*Jobs, Plan);
+  } else if (!UserArguments.hasArg(OPT_fdriver_only)) {
+    Succeeded = JobRunner(*Jobs, Plan, ToolPath, Folders, Translated.Warnings)
                     .runAll(Verbose);
   }
   Jobs->CleanupFileList(Jobs->getTempFiles());

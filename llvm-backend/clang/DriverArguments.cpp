@@ -47,6 +47,10 @@ static constexpr const char *Defaults[] = {
 ArrayRef<const char *> defaultDriverArguments() { return Defaults; }
 
 void compileForWholeProgram(ArgStringList &JobArguments) {
+  // Under -save-temps clang leaves the passes to a job of their own.
+  const auto *Deferred = find(JobArguments, StringRef("-disable-llvm-passes"));
+  if (Deferred != JobArguments.end())
+    JobArguments.erase(Deferred);
   for (const char *&Argument : JobArguments)
     if (StringRef(Argument) == "-emit-obj")
       Argument = "-emit-llvm-bc";

@@ -68,8 +68,8 @@ namespace {
 /// Reads the inputs and options of the link from clang's plan.
 class LinkPlan {
 public:
-  LinkPlan(const Compilation &Jobs, const Sysroot &Folders, const Command &Job,
-           LinkDiagnostics &Diags);
+  LinkPlan(const Compilation &Jobs, const JobPlan &Plan, const Sysroot &Folders,
+           const Command &Job, LinkDiagnostics &Diags);
 
   LinkOptions Options;
   std::vector<LinkInput> Inputs;
@@ -87,8 +87,9 @@ private:
 };
 } // namespace
 
-LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
-                   const Command &Job, LinkDiagnostics &Diags)
+LinkPlan::LinkPlan(const Compilation &Jobs, const JobPlan &Plan,
+                   const Sysroot &Folders, const Command &Job,
+                   LinkDiagnostics &Diags)
     : Arguments(Jobs.getArgs()), Diags(Diags) {
   Options.Level = optimizationLevel(Arguments);
   if (!Job.getOutputFilenames().empty())
@@ -109,7 +110,8 @@ LinkPlan::LinkPlan(const Compilation &Jobs, const Sysroot &Folders,
       readOption(*Word.Option);
     else
       Inputs.push_back({Word.File->getBaseInput(), nullptr,
-                        Word.File->getFilename(), WholeArchive});
+                        Plan.linkInput(Word.File->getFilename()).str(),
+                        WholeArchive});
   }
   Options.Reports = readProgramReports(Arguments, Options.OutputPath);
   if (const Arg *Entry = Arguments.getLastArg(OPT_e))
@@ -215,44 +217,71 @@ void LinkPlan::addLibrary(StringRef Name) {
 
 bool LinkJob::run(const Command &Job) {
   LinkDiagnostics Diags;
-  LinkPlan Plan(Jobs, Folders, Job, Diags);
-  Plan.Options.Warnings = Warnings;
+  LinkPlan Planned(Jobs, Plan, Folders, Job, Diags);
+  Planned.Options.Warnings = Warnings;
   if (Diags.hasErrors())
     return false;
-  for (LinkInput &Input : Plan.Inputs)
+  for (LinkInput &Input : Planned.Inputs)
     if (auto Unit = Units.find(Input.Path); Unit != Units.end())
       Input.Unit = std::move(Unit->second);
   const ArgList &Arguments = Jobs.getArgs();
   setBackendOptions(Arguments.getAllArgValues(OPT_mllvm));
   TimePassesIsEnabled = Arguments.hasArg(OPT_ftime_report, OPT_ftime_report_EQ);
-  TimeTrace Trace(readTimeTrace(Arguments, Plan.Options.OutputPath));
+  TimeTrace Trace(readTimeTrace(Arguments, Planned.Options.OutputPath));
   const bool Succeeded =
-      linkProgram(Context, std::move(Plan.Inputs), Plan.Options, Diags);
+      linkProgram(Context, std::move(Planned.Inputs), Planned.Options, Diags);
   if (TimePassesIsEnabled)
     printTimeReport();
   return Succeeded;
 }
 
-void LinkJob::describe(const Compilation &Jobs, const Sysroot &Folders,
-                       const std::string &ToolPath, Command &Job) {
+// The options besides files, libraries and words for the linker that run()
+// reads.
+static constexpr unsigned DescribedOptions[] = {
+    OPT_O_Group,
+    OPT_g_Group,
+    OPT_mllvm,
+    OPT_L,
+    OPT_e,
+    OPT_u,
+    OPT_nostdlib,
+    OPT_nodefaultlibs,
+    OPT_Rpass_EQ,
+    OPT_Rpass_missed_EQ,
+    OPT_Rpass_analysis_EQ,
+    OPT_R_Joined,
+    OPT_fsave_optimization_record,
+    OPT_fsave_optimization_record_EQ,
+    OPT_foptimization_record_file_EQ,
+    OPT_foptimization_record_passes_EQ,
+    OPT_fstack_usage,
+    OPT_ftime_report,
+    OPT_ftime_trace,
+    OPT_ftime_trace_EQ,
+    OPT_ftime_trace_granularity_EQ,
+};
+
+void LinkJob::describe(const Compilation &Jobs, const JobPlan &Plan,
+                       const std::string &ToolPath,
+                       ArrayRef<const char *> WarningWords, Command &Job) {
   ArgStringList Words;
-  const ArgList &StringOwner = Jobs.getArgs();
-  Words.push_back("-link");
+  const ArgList &Arguments = Jobs.getArgs();
   Words.push_back("-o");
   for (const std::string &Output : Job.getOutputFilenames())
-    Words.push_back(StringOwner.MakeArgString(Output));
-  if (!Jobs.getArgs().hasArg(OPT_nostdlib, OPT_nodefaultlibs))
-    Words.push_back(StringOwner.MakeArgString(Folders.runtimeBitcode()));
-  Jobs.getArgs().AddLastArg(Words, OPT_O_Group);
-  Jobs.getArgs().AddAllArgs(Words, OPT_mllvm);
-  Jobs.getArgs().AddAllArgs(Words, OPT_L);
+    Words.push_back(Arguments.MakeArgString(Output));
+  for (const Arg *Given : Arguments)
+    if (any_of(DescribedOptions,
+               [&](unsigned ID) { return Given->getOption().matches(ID); }))
+      Given->render(Arguments, Words);
+  append_range(Words, WarningWords);
   for (const LinkWord &Word : linkWords(Job)) {
     if (Word.Option)
-      Word.Option->render(Jobs.getArgs(), Words);
+      Word.Option->render(Arguments, Words);
     else
-      Words.push_back(Word.File->getFilename());
+      Words.push_back(
+          Arguments.MakeArgString(Plan.linkInput(Word.File->getFilename())));
   }
-  Job.replaceExecutable(StringOwner.MakeArgString(ToolPath));
+  Job.replaceExecutable(Arguments.MakeArgString(ToolPath));
   Job.replaceArguments(std::move(Words));
 }
 

@@ -7,6 +7,7 @@
 #ifndef TP_LLVM_BACKEND_CLANG_LINKJOB_H
 #define TP_LLVM_BACKEND_CLANG_LINKJOB_H
 
+#include "llvm-backend/clang/JobPlan.h"
 #include "llvm-backend/clang/Sysroot.h"
 #include "llvm-backend/clang/link/ProgramLinker.h"
 #include "llvm-backend/clang/warnings/WarningOptions.h"
@@ -20,9 +21,9 @@ namespace tp {
 /// for a linker program; here it runs in this process.
 class LinkJob {
 public:
-  LinkJob(const clang::driver::Compilation &Jobs, const Sysroot &Folders,
-          const WarningOptions &Warnings)
-      : Jobs(Jobs), Folders(Folders), Warnings(Warnings) {}
+  LinkJob(const clang::driver::Compilation &Jobs, const JobPlan &Plan,
+          const Sysroot &Folders, const WarningOptions &Warnings)
+      : Jobs(Jobs), Plan(Plan), Folders(Folders), Warnings(Warnings) {}
 
   /// Where units that are to be linked have to be compiled.
   llvm::LLVMContext &context() { return Context; }
@@ -36,13 +37,15 @@ public:
   bool run(const clang::driver::Command &Job);
 
   /// Gives \p Job, which clang's driver planned for a foreign linker, the
-  /// arguments that say what run() does, for -### and -v.
+  /// arguments with which tpcc does what run() does, for -### and -v.
   static void describe(const clang::driver::Compilation &Jobs,
-                       const Sysroot &Folders, const std::string &ToolPath,
+                       const JobPlan &Plan, const std::string &ToolPath,
+                       llvm::ArrayRef<const char *> WarningWords,
                        clang::driver::Command &Job);
 
 private:
   const clang::driver::Compilation &Jobs;
+  const JobPlan &Plan;
   const Sysroot &Folders;
   const WarningOptions &Warnings;
   llvm::LLVMContext Context;
