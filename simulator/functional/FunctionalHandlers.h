@@ -44,6 +44,11 @@ struct FunctionalSlot {
 struct FunctionalRunner : FunctionalContextState {
   /// One slot per word and one behind it.
   FunctionalSlot *Slots = nullptr;
+  /// For observeStep: whose instructions are observed, and what executes the
+  /// instruction in each slot.
+  uint32_t ObservedThread = 0;
+  StepObserver ObserveStep;
+  std::vector<FunctionalHandler> Observed;
 };
 
 template <Subnormals Mode> struct FunctionalHandlers {
@@ -65,6 +70,14 @@ template <Subnormals Mode> struct FunctionalHandlers {
   /// Follows the last word of the text.
   static FunctionalHandler endOfText() {
     return trapAtFetch<TrapKind::FetchOutsideText>;
+  }
+
+  /// Shows the instruction at hand to the observer, then executes it.
+  __attribute__((preserve_none)) static void
+  observeStep(TP_FUNCTIONAL_PARAMETERS) {
+    if (T->Number == R->ObservedThread)
+      R->ObserveStep(pcOf(S, R), T->Registers);
+    TP_FUNCTIONAL_TAIL_CALL R->Observed[S - R->Slots](TP_FUNCTIONAL_ARGUMENTS);
   }
 
   /// Ends the turn before the instruction at hand.

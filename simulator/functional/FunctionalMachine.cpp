@@ -11,6 +11,7 @@
 
 #include <cassert>
 #include <chrono>
+#include <utility>
 
 namespace tp {
 
@@ -29,6 +30,7 @@ public:
   Statistics statistics() const;
   std::vector<ArchitecturalState> threads() const;
   void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
+  void setStepObserver(uint32_t Thread, StepObserver Function);
 
   FunctionalRunner Runner;
   std::vector<FunctionalThread> Threads;
@@ -83,6 +85,15 @@ void FunctionalMachine::Implementation::setCodeGenerator(
   for (const FunctionalSlot &S : Slots)
     Subject.Interpreter.push_back(S.Execute);
   Generator->start(std::move(Subject));
+}
+
+void FunctionalMachine::Implementation::setStepObserver(uint32_t Thread,
+                                                        StepObserver Function) {
+  Runner.ObservedThread = Thread;
+  Runner.ObserveStep = std::move(Function);
+  for (FunctionalSlot &S : Slots)
+    Runner.Observed.push_back(std::exchange(
+        S.Execute, FunctionalHandlers<Subnormals::Keep>::observeStep));
 }
 
 void FunctionalMachine::Implementation::runTurn(FunctionalThread &T) {
@@ -212,6 +223,11 @@ void FunctionalMachine::setOutput(OutputFunction Function) {
 void FunctionalMachine::setCodeGenerator(
     std::unique_ptr<FunctionalCodeGenerator> Generator) {
   Machine->setCodeGenerator(std::move(Generator));
+}
+
+void FunctionalMachine::setStepObserver(uint32_t Thread,
+                                        StepObserver Function) {
+  Machine->setStepObserver(Thread, std::move(Function));
 }
 
 RunResult FunctionalMachine::run(const FunctionalLimits &Limits) {

@@ -13,6 +13,7 @@
 
 #include "simulator/core/ArchitecturalState.h"
 #include "simulator/core/Engine.h"
+#include "simulator/functional/FunctionalThread.h"
 
 #include <cstdint>
 #include <memory>
@@ -54,6 +55,10 @@ public:
   /// Generates code for what is hot, which changes no result: without one all
   /// is interpreted. Before the first run().
   void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
+
+  /// \p Function sees each instruction of a thread. Before the first run(), and
+  /// instead of a code generator.
+  void setStepObserver(uint32_t Thread, StepObserver Function);
 
   /// Runs until all threads have halted, one trapped, or a limit is reached
   /// (Paused: the marker). A trap's cycle is the number of instructions that

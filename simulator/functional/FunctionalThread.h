@@ -13,10 +13,15 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace tp {
+
+/// Called before an instruction with its address and the thread's registers.
+using StepObserver = std::function<void(
+    uint32_t Pc, const std::array<uint32_t, NumRegisters> &Registers)>;
 
 /// One thread of the functional mode.
 struct FunctionalThread {

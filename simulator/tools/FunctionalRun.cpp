@@ -9,6 +9,7 @@
 #include "simulator/functional/FunctionalJit.h"
 #include "simulator/functional/FunctionalMachine.h"
 #include "simulator/stats/FunctionalReport.h"
+#include "simulator/tools/InstructionTrace.h"
 #include "simulator/tools/Interrupt.h"
 #include "simulator/tools/RunResults.h"
 
@@ -20,7 +21,7 @@ static Expected<RunResult> run(FunctionalMachine &Machine,
                                const Options &Request, RunSetup &Loaded,
                                RunConsole &Console,
                                std::optional<uint32_t> StopMarker) {
-  if (Request.GenerateCode) {
+  if (Request.GenerateCode && Request.InstructionTraceOutput.empty()) {
     Expected<std::unique_ptr<FunctionalCodeGenerator>> Generator =
         makeFunctionalJit();
     if (!Generator)
@@ -51,10 +52,16 @@ Expected<int> runFunctionally(const Options &Request, const ChipConfig &Chip,
   FunctionalMachine Machine(Chip, Loaded.Text, Loaded.Global);
   if (!Machine.error().empty())
     return createStringError(Machine.error());
+  InstructionTrace Trace;
+  if (!Request.InstructionTraceOutput.empty())
+    if (llvm::Error Failure = Trace.start(Machine, Chip, Request))
+      return Failure;
   Expected<RunResult> Ended =
       run(Machine, Request, Loaded, Console, std::nullopt);
   if (!Ended)
     return Ended.takeError();
+  if (llvm::Error Failure = Trace.finish())
+    return Failure;
   const RunResult &Result = *Ended;
   HostSpeed Speed{Console.finish(), 1};
 

@@ -78,6 +78,7 @@ public:
     readStatistics(Result);
     readLongRun(Result);
     readCacheTrace(Result);
+    readInstructionTrace(Result);
     readMemoryDumps(Result);
     readProgram(Result);
     readImage(Result);
@@ -195,6 +196,25 @@ private:
       if (const Arg *Argument = Arguments.getLastArg(Id))
         error(Argument->getSpelling().rtrim('=') +
               " has no meaning without --trace-cache");
+  }
+
+  void readInstructionTrace(Options &Result) {
+    Result.InstructionTraceOutput =
+        Arguments.getLastArgValue(OPT_trace_instructions).str();
+    Result.TracedThread =
+        uint32_t(number(OPT_trace_instructions_thread, 0, MaxThreads - 1, 0));
+    if (!Arguments.hasArg(OPT_trace_instructions)) {
+      if (Arguments.hasArg(OPT_trace_instructions_thread))
+        error("--trace-instructions-thread has no meaning without "
+              "--trace-instructions");
+      return;
+    }
+    if (Result.InstructionTraceOutput.empty())
+      error("--trace-instructions is empty; give it the path of the file to "
+            "write");
+    if (!Arguments.hasArg(OPT_functional))
+      error("--trace-instructions needs --functional: with timing, several "
+            "instructions are under way at once");
   }
 
   void readMemoryDumps(Options &Result) {

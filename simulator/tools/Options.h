@@ -62,6 +62,9 @@ struct Options {
   /// JSON file for a deletion in a cache; empty: none.
   std::string CacheTraceOutput;
   DeletionRequest TracedDeletion;
+  /// Text file for the instructions of TracedThread; empty: none.
+  std::string InstructionTraceOutput;
+  uint32_t TracedThread = 0;
   unsigned HostThreads = 1;
   /// Compile hot code.
   bool GenerateCode = true;

@@ -56,6 +56,11 @@ defm trace_cache_thread : LongValue<"trace-cache-thread", "<n>",
                                 "Whose cache (default: 0)">;
 defm trace_cache_deletion : LongValue<"trace-cache-deletion", "<n>",
                                   "Its how many-th deletion (default: 1)">;
+defm trace_instructions : LongValue<"trace-instructions", "<file>",
+                                "With --functional, write each instruction's "
+                                "address and the registers that have changed">;
+defm trace_instructions_thread : LongValue<"trace-instructions-thread", "<n>",
+                                       "Whose instructions (default: 0)">;
 defm host_threads : LongValue<"host-threads", "<n>",
                           "Threads of the host to use (default: all)">;
 defm engine : LongValue<"engine", "<jit|reference>",
