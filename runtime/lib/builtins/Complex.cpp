@@ -1,0 +1,157 @@
+//===- Complex.cpp - Products and quotients of complex numbers ------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// As annex G of the C standard has them: a result is infinite, not NaN, where
+// an operand is infinite. The operators * and / of complex numbers call these
+// functions, so that these use the parts only.
+//
+//===----------------------------------------------------------------------===//
+
+#include "runtime/lib/builtins/Libcall.h"
+
+namespace {
+
+template <typename T> struct Parts {
+  T Real, Imaginary;
+};
+
+template <typename T> bool isInfinite(Parts<T> Z) {
+  return __builtin_isinf(Z.Real) || __builtin_isinf(Z.Imaginary);
+}
+
+template <typename T> bool isFinite(Parts<T> Z) {
+  return __builtin_isfinite(Z.Real) && __builtin_isfinite(Z.Imaginary);
+}
+
+template <typename T> bool isNaN(T X) { return __builtin_isnan(X); }
+
+template <typename T> T copySign(T X, T Sign) {
+  if constexpr (sizeof(T) == sizeof(float))
+    return __builtin_copysignf(X, Sign);
+  else
+    return __builtin_copysign(X, Sign);
+}
+
+/// Infinite parts become ones, the others zeros, with their signs.
+template <typename T> Parts<T> unitOf(Parts<T> Z) {
+  return {copySign(T(__builtin_isinf(Z.Real) ? 1 : 0), Z.Real),
+          copySign(T(__builtin_isinf(Z.Imaginary) ? 1 : 0), Z.Imaginary)};
+}
+
+/// NaN parts become zeros with their signs.
+template <typename T> Parts<T> withoutNaN(Parts<T> Z) {
+  return {isNaN(Z.Real) ? copySign(T(0), Z.Real) : Z.Real,
+          isNaN(Z.Imaginary) ? copySign(T(0), Z.Imaginary) : Z.Imaginary};
+}
+
+template <typename T> Parts<T> product(Parts<T> A, Parts<T> B) {
+  const T Infinity = __builtin_inf();
+  const T RealReal = A.Real * B.Real;
+  const T ImaginaryImaginary = A.Imaginary * B.Imaginary;
+  const T RealImaginary = A.Real * B.Imaginary;
+  const T ImaginaryReal = A.Imaginary * B.Real;
+  Parts<T> Z = {RealReal - ImaginaryImaginary, RealImaginary + ImaginaryReal};
+  if (!isNaN(Z.Real) || !isNaN(Z.Imaginary))
+    return Z;
+  bool IsInfinite = isInfinite(A) || isInfinite(B);
+  if (isInfinite(A)) {
+    A = unitOf(A);
+    B = withoutNaN(B);
+  }
+  if (isInfinite(B)) {
+    B = unitOf(B);
+    A = withoutNaN(A);
+  }
+  if (!IsInfinite &&
+      (__builtin_isinf(RealReal) || __builtin_isinf(ImaginaryImaginary) ||
+       __builtin_isinf(RealImaginary) || __builtin_isinf(ImaginaryReal))) {
+    A = withoutNaN(A);
+    B = withoutNaN(B);
+    IsInfinite = true;
+  }
+  if (IsInfinite)
+    Z = {Infinity * (A.Real * B.Real - A.Imaginary * B.Imaginary),
+         Infinity * (A.Real * B.Imaginary + A.Imaginary * B.Real)};
+  return Z;
+}
+
+/// What a quotient that came out as NaN is.
+template <typename T>
+Parts<T> specialQuotient(Parts<T> A, Parts<T> B, Parts<T> Z) {
+  const T Infinity = __builtin_inf();
+  if (B.Real == 0 && B.Imaginary == 0 &&
+      (!isNaN(A.Real) || !isNaN(A.Imaginary)))
+    return {copySign(Infinity, B.Real) * A.Real,
+            copySign(Infinity, B.Real) * A.Imaginary};
+  if (isInfinite(A) && isFinite(B)) {
+    A = unitOf(A);
+    return {Infinity * (A.Real * B.Real + A.Imaginary * B.Imaginary),
+            Infinity * (A.Imaginary * B.Real - A.Real * B.Imaginary)};
+  }
+  if (isInfinite(B) && isFinite(A)) {
+    B = unitOf(B);
+    return {T(0) * (A.Real * B.Real + A.Imaginary * B.Imaginary),
+            T(0) * (A.Imaginary * B.Real - A.Real * B.Imaginary)};
+  }
+  return Z;
+}
+
+/// 2^-n, where B's larger part is in [2^n, 2^(n+1)); 1 for zero, infinities and
+/// NaN. The least n gives 2^1023, which suffices too.
+double scaleOf(Parts<double> B) {
+  double Largest = __builtin_fabs(B.Real) > __builtin_fabs(B.Imaginary)
+                       ? __builtin_fabs(B.Real)
+                       : __builtin_fabs(B.Imaginary);
+  const uint64_t Exponent = __builtin_bit_cast(uint64_t, Largest) >> 52;
+  if (Largest == 0 || Exponent == 2047)
+    return 1;
+  const uint64_t Inverse = Exponent == 0 ? 2046 : 2046 - Exponent;
+  return Inverse == 0 ? 0x1p-1023 : __builtin_bit_cast(double, Inverse << 52);
+}
+
+Parts<double> quotient(Parts<double> A, Parts<double> B) {
+  const double Scale = scaleOf(B);
+  const Parts<double> C = {B.Real * Scale, B.Imaginary * Scale};
+  const double Norm = C.Real * C.Real + C.Imaginary * C.Imaginary;
+  Parts<double> Z = {
+      (A.Real * C.Real + A.Imaginary * C.Imaginary) / Norm * Scale,
+      (A.Imaginary * C.Real - A.Real * C.Imaginary) / Norm * Scale};
+  if (isNaN(Z.Real) && isNaN(Z.Imaginary))
+    return specialQuotient(A, B, Z);
+  return Z;
+}
+
+} // namespace
+
+template <typename T> static _Complex T complexOf(Parts<T> Z) {
+  _Complex T Result;
+  __real__ Result = Z.Real;
+  __imag__ Result = Z.Imaginary;
+  return Result;
+}
+
+extern "C" {
+
+_Complex float TP_LIBCALL(__mulsc3)(float A, float B, float C, float D) {
+  return complexOf(product<float>({A, B}, {C, D}));
+}
+
+_Complex double TP_LIBCALL(__muldc3)(double A, double B, double C, double D) {
+  return complexOf(product<double>({A, B}, {C, D}));
+}
+
+_Complex float TP_LIBCALL(__divsc3)(float A, float B, float C, float D) {
+  // Products of floats neither overflow nor vanish in double.
+  Parts<double> Z = quotient({A, B}, {C, D});
+  return complexOf<float>(
+      {static_cast<float>(Z.Real), static_cast<float>(Z.Imaginary)});
+}
+
+_Complex double TP_LIBCALL(__divdc3)(double A, double B, double C, double D) {
+  return complexOf(quotient({A, B}, {C, D}));
+}
+
+} // extern "C"
