@@ -24,6 +24,7 @@ config.substitutions += [
     ("%llc_tp", f"llc -load {backend} -mtriple=tp-unknown-elf"),
     ("%tp_backend", backend),
     ("%tp_bin", bin_dir),
+    ("%tp_build", config.tp_build_dir),
     ("%tp_instructions",
      os.path.join(config.tp_build_dir, "llvm-backend", "TPInstrs.json")),
     ("%source_dir", config.tp_source_dir),

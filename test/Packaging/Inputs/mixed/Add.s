@@ -1,0 +1,4 @@
+  .globl addTwo
+addTwo:
+  addi r2, r4, 2
+  jr ra

@@ -1,0 +1,1 @@
+int doubled(int Number) { return 2 * Number; }
