@@ -77,9 +77,10 @@ void TPTargetLowering::configureFloats() {
       setTruncStoreAction(Wide, Half, Expand);
     }
   }
-  setOperationAction(
-      {ISD::FP16_TO_FP, ISD::FP_TO_FP16, ISD::BF16_TO_FP, ISD::FP_TO_BF16},
-      MVT::f32, Expand);
+  setOperationAction({ISD::FP16_TO_FP, ISD::FP_TO_FP16, ISD::BF16_TO_FP},
+                     MVT::f32, Expand);
+  // The expansion would cut off instead of rounding.
+  setOperationAction(ISD::FP_TO_BF16, MVT::f32, Custom);
   setLoadExtAction(ISD::EXTLOAD, MVT::f64, MVT::f32, Expand);
   setTruncStoreAction(MVT::f64, MVT::f32, Expand);
 }
@@ -174,6 +175,23 @@ bool TPTargetLowering::isZExtFree(SDValue Val, EVT To) const {
   return TargetLowering::isZExtFree(Val, To);
 }
 
+// Both kinds of half floats travel as the 16 bits that memory holds.
+
+MVT TPTargetLowering::getRegisterTypeForCallingConv(LLVMContext &Context,
+                                                    CallingConv::ID CallConv,
+                                                    EVT VT) const {
+  if (VT == MVT::bf16)
+    return MVT::i32;
+  return TargetLowering::getRegisterTypeForCallingConv(Context, CallConv, VT);
+}
+
+unsigned TPTargetLowering::getNumRegistersForCallingConv(
+    LLVMContext &Context, CallingConv::ID CallConv, EVT VT) const {
+  if (VT == MVT::bf16)
+    return 1;
+  return TargetLowering::getNumRegistersForCallingConv(Context, CallConv, VT);
+}
+
 Register TPTargetLowering::getExceptionPointerRegister(const Constant *) const {
   return TP::R4;
 }
@@ -212,6 +230,8 @@ SDValue TPTargetLowering::LowerOperation(SDValue Op, SelectionDAG &DAG) const {
   }
   case ISD::FCOPYSIGN:
     return lowerCopySign(Op, DAG);
+  case ISD::FP_TO_BF16:
+    return lowerRoundToBFloat(Op, DAG);
   case ISD::FP_TO_SINT_SAT:
   case ISD::FP_TO_UINT_SAT:
     return lowerSaturatingConversion(Op, DAG);
@@ -317,6 +337,30 @@ SDValue TPTargetLowering::lowerCopySign(SDValue Op, SelectionDAG &DAG) const {
   SDValue Bits = DAG.getNode(ISD::OR, DL, MVT::i32, Masked(Sign, 0x80000000),
                              Masked(Op.getOperand(0), 0x7fffffff));
   return DAG.getBitcast(MVT::f32, Bits);
+}
+
+SDValue TPTargetLowering::lowerRoundToBFloat(SDValue Op,
+                                             SelectionDAG &DAG) const {
+  SDLoc DL(Op);
+  SDValue Float = Op.getOperand(0);
+  SDValue Bits = DAG.getBitcast(MVT::i32, Float);
+  auto Constant = [&](uint32_t Value) {
+    return DAG.getConstant(Value, DL, MVT::i32);
+  };
+  auto Node = [&](unsigned Opcode, SDValue Left, SDValue Right) {
+    return DAG.getNode(Opcode, DL, MVT::i32, Left, Right);
+  };
+  // To nearest, ties to even. The carry out of the significand is right too.
+  SDValue High = Node(ISD::SRL, Bits, Constant(16));
+  SDValue IsOdd = Node(ISD::AND, High, Constant(1));
+  SDValue Rounded =
+      Node(ISD::ADD, Node(ISD::ADD, Bits, Constant(0x7fff)), IsOdd);
+  SDValue Result = Node(ISD::SRL, Rounded, Constant(16));
+  if (!DAG.isKnownNeverNaN(Float))
+    Result = DAG.getSelect(
+        DL, MVT::i32, DAG.getSetCC(DL, MVT::i32, Float, Float, ISD::SETUO),
+        Node(ISD::OR, High, Constant(0x40)), Result);
+  return DAG.getZExtOrTrunc(Result, DL, Op.getValueType());
 }
 
 SDValue TPTargetLowering::lowerSaturatingConversion(SDValue Op,

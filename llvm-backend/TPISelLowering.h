@@ -45,6 +45,12 @@ public:
                       const SmallVectorImpl<SDValue> &OutVals, const SDLoc &DL,
                       SelectionDAG &DAG) const override;
   bool mayBeEmittedAsTailCall(const CallInst *CI) const override;
+  MVT getRegisterTypeForCallingConv(LLVMContext &Context,
+                                    CallingConv::ID CallConv,
+                                    EVT VT) const override;
+  unsigned getNumRegistersForCallingConv(LLVMContext &Context,
+                                         CallingConv::ID CallConv,
+                                         EVT VT) const override;
 
   // Inline assembly: TPInlineAsm.cpp.
   ConstraintType getConstraintType(StringRef Constraint) const override;
@@ -105,6 +111,7 @@ private:
   SDValue lowerFrameAddress(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerReturnAddress(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerCopySign(SDValue Op, SelectionDAG &DAG) const;
+  SDValue lowerRoundToBFloat(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerSaturatingConversion(SDValue Op, SelectionDAG &DAG) const;
 
   void configureIntegers();

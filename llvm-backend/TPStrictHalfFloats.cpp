@@ -23,7 +23,7 @@ using namespace llvm;
 
 static bool concernsHalf(const ConstrainedFPIntrinsic &Strict) {
   auto IsHalf = [](const Type *Type) {
-    return Type->getScalarType()->isHalfTy();
+    return Type->getScalarType()->is16bitFPTy();
   };
   return IsHalf(Strict.getType()) || any_of(Strict.args(), [&](const Use &Arg) {
            return IsHalf(Arg->getType());

@@ -74,7 +74,9 @@ int main(void) {
   O = atomic_exchange(&Odds, O);
   printf("%d %d\n", O.A[1], ((struct Odd)Odds).A[0]);
   Float += 2.25f; Float *= 2; Double /= 3; Double += 1;
-  printf("%g %g\n", Float, Double);
+  float F = Float;
+  double D = Double;
+  printf("%g %g\n", F, D);
   Pointer = Array;
   atomic_fetch_add(&Pointer, 2);
   int *Old = atomic_fetch_sub(&Pointer, 1);

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static uint64_t Hash = 1;
@@ -70,7 +71,7 @@ __attribute__((noinline)) static void floats(float F, double D) {
 __attribute__((noinline)) static void *address(void) { return __builtin_return_address(0); }
 __attribute__((noinline)) static void *frame(int *Local) {
   char *F = __builtin_frame_address(0);
-  return F >= (char *)Local || F + 4096 > (char *)Local ? F : 0;
+  return (uintptr_t)Local - (uintptr_t)F + 4096 < 8192 ? F : 0;
 }
 static int constant(int V) { return __builtin_constant_p(V) ? V : -V; }
 __attribute__((noinline)) static int assume(int V) {
@@ -103,13 +104,14 @@ int main(void) {
   printf("%s %d %zu %zu\n", Buffer, __builtin_memcmp(Buffer, Other, 10) > 0,
          __builtin_strlen(Other), __builtin_object_size(Buffer, 0));
   __builtin_prefetch(Buffer, 0, 3);
-  printf("%d %d %d\n", constant(5), assume(3), assume(50));
+  printf("%d %d %d\n", abs(constant(5)), assume(3), assume(50));
   int *Aligned = __builtin_assume_aligned(&Local, 4);
   *Aligned = 9;
   printf("%d %d\n", Local, __builtin_types_compatible_p(int, signed int));
   void *Saved = __builtin_alloca(10);
-  printf("%d\n", Saved &&
-                 (uintptr_t)__builtin_align_up((char *)17, 32) == 32);
+  uintptr_t Number = (uintptr_t)Saved;
+  printf("%d %d %d\n", __builtin_align_up(Number, 32) - Number < 32,
+         (int)(__builtin_align_down(Number, 64) & 63), __builtin_is_aligned(Number, 2));
   printf("%d %s %d\n", __builtin_LINE() > 0, __builtin_FUNCTION(),
          __builtin_offsetof(struct { char A; int B; }, B));
   uint64_t T = __builtin_readcyclecounter();

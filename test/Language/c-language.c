@@ -5,7 +5,6 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
-#include <wchar.h>
 
 struct Point { int X, Y; struct { float Z; char Name[8]; }; };
 static const struct Point Points[] = {

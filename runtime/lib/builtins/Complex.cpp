@@ -126,8 +126,8 @@ Parts<double> quotient(Parts<double> A, Parts<double> B) {
 
 } // namespace
 
-template <typename T> static _Complex T complexOf(Parts<T> Z) {
-  _Complex T Result;
+template <typename Complex, typename T> static Complex complexOf(Parts<T> Z) {
+  Complex Result;
   __real__ Result = Z.Real;
   __imag__ Result = Z.Imaginary;
   return Result;
@@ -136,22 +136,22 @@ template <typename T> static _Complex T complexOf(Parts<T> Z) {
 extern "C" {
 
 _Complex float TP_LIBCALL(__mulsc3)(float A, float B, float C, float D) {
-  return complexOf(product<float>({A, B}, {C, D}));
+  return complexOf<_Complex float>(product<float>({A, B}, {C, D}));
 }
 
 _Complex double TP_LIBCALL(__muldc3)(double A, double B, double C, double D) {
-  return complexOf(product<double>({A, B}, {C, D}));
+  return complexOf<_Complex double>(product<double>({A, B}, {C, D}));
 }
 
 _Complex float TP_LIBCALL(__divsc3)(float A, float B, float C, float D) {
   // Products of floats neither overflow nor vanish in double.
   Parts<double> Z = quotient({A, B}, {C, D});
-  return complexOf<float>(
-      {static_cast<float>(Z.Real), static_cast<float>(Z.Imaginary)});
+  return complexOf<_Complex float>(Parts<float>{
+      static_cast<float>(Z.Real), static_cast<float>(Z.Imaginary)});
 }
 
 _Complex double TP_LIBCALL(__divdc3)(double A, double B, double C, double D) {
-  return complexOf(quotient({A, B}, {C, D}));
+  return complexOf<_Complex double>(quotient({A, B}, {C, D}));
 }
 
 } // extern "C"
