@@ -12,11 +12,11 @@
 #include_next <stdlib.h>
 #undef _GLIBCXX_INCLUDE_NEXT_C_HEADERS
 
+#include <bits/std_abs.h>
+
+using std::abs;
+
 extern "C++" {
-inline long abs(long X) { return __builtin_labs(X); }
-inline long long abs(long long X) { return __builtin_llabs(X); }
-inline float abs(float X) { return __builtin_fabsf(X); }
-inline double abs(double X) { return __builtin_fabs(X); }
 inline ldiv_t div(long A, long B) { return ldiv(A, B); }
 inline lldiv_t div(long long A, long long B) { return lldiv(A, B); }
 } // extern "C++"

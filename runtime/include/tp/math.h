@@ -85,6 +85,25 @@ float log10(float X);
 /// \p X to the \p Y; 0.75 ulp, 0.80 ulp where the result is subnormal.
 float pow(float X, float Y);
 
+/// e to the \p X, less 1; 1.5 ulp.
+float expm1(float X);
+/// Natural logarithm of 1 + \p X; 0.7 ulp.
+float log1p(float X);
+/// Hyperbolic sine; 1.25 ulp.
+float sinh(float X);
+/// Hyperbolic cosine; 0.8 ulp.
+float cosh(float X);
+/// Hyperbolic tangent; 1.25 ulp.
+float tanh(float X);
+/// Inverse hyperbolic sine; 0.51 ulp.
+float asinh(float X);
+/// Inverse hyperbolic cosine; 0.51 ulp.
+float acosh(float X);
+/// Inverse hyperbolic tangent; 0.51 ulp.
+float atanh(float X);
+/// Cube root; 0.53 ulp.
+float cbrt(float X);
+
 /// The greatest integer not above \p X. Exact.
 float floor(float X);
 /// The least integer not below \p X. Exact.

@@ -18,9 +18,7 @@ constexpr DoublePair Log10Of2 = {0x1.34413509f79ffp-2, -0x1.9dc1da994fd21p-59};
 /// ln 2 so that its product with any exponent is exact, and the rest.
 constexpr DoublePair Ln2Exact = {0x1.62e42fefa0000p-1, 0x1.cf79abc9e3b3ap-40};
 
-/// 2^(High + Low) for results from the smallest subnormal to below infinity;
-/// 2^-58.
-static double exponential2(DoublePair X) {
+double tp::exponential2(DoublePair X) {
   static const double P[] = {
       0x1.ebfbdff82c58fp-3,  0x1.c6b08d704a0c0p-5,  0x1.3b2ab6fba4e79p-7,
       0x1.5d87fe78a6732p-10, 0x1.430912f86b7dbp-13, 0x1.ffcbfc588a530p-17,
@@ -47,7 +45,7 @@ static double splitAroundOne(uint64_t Magnitude, int &Exponent) {
   return fromBits(pack(0, kBias - Lower, U.Significand));
 }
 
-static DoublePair logarithm2(uint64_t Magnitude) {
+DoublePair tp::logarithm2(uint64_t Magnitude) {
   static const double P[] = {
       0x1.999999999999ap-3, 0x1.2492492492491p-3, 0x1.c71c71c71cfd7p-4,
       0x1.745d17451376fp-4, 0x1.3b13b1bc64de3p-4, 0x1.1110dfb241e74p-4,
@@ -68,6 +66,54 @@ static DoublePair logarithm2(uint64_t Magnitude) {
   DoublePair L = multiply(multiply(S, Sum), DoublePair{0x1.71547652b82fep+1,
                                                        0x1.777d0ffda0d24p-55});
   return Exponent != 0 ? add(static_cast<double>(Exponent), L) : L;
+}
+
+DoublePair tp::logarithm(DoublePair X) {
+  return sum(multiply(logarithm2(bits(X.High)), Ln2), X.Low / X.High);
+}
+
+namespace {
+
+/// e^X is 2^Whole (1 + High + Low).
+struct Exponential {
+  int Whole;
+  DoublePair Fraction;
+};
+
+} // namespace
+
+static Exponential splitExponential(double X) {
+  static const double P[] = {
+      0x1.0000000000000p-1,  0x1.5555555555557p-3,  0x1.5555555555556p-5,
+      0x1.11111111100dfp-7,  0x1.6c16c16c162d6p-10, 0x1.a01a01abe6334p-13,
+      0x1.a01a01a6d783ap-16, 0x1.71de023744efap-19, 0x1.27e4db67aa3f0p-22,
+      0x1.af4ddda8c10fap-26, 0x1.1f72fc87bcc58p-29};
+  double Whole = TP_LIBCALL(rint)(X * 0x1.71547652b82fep+0);
+  double High = X - Whole * Ln2Exact.High;
+  DoublePair Rest = twoSum(High, -(Whole * Ln2Exact.Low));
+  double R = Rest.High;
+  return {static_cast<int>(Whole), {R, Rest.Low + R * R * polynomial(R, P)}};
+}
+
+double tp::exponential(double X, int Shift) {
+  if (isNaN(X))
+    return doubleNaN();
+  if (X > 2000.0)
+    return doubleInfinity();
+  if (X < -2000.0)
+    return 0.0;
+  Exponential E = splitExponential(X);
+  DoublePair Sum = fastTwoSum(1.0, E.Fraction.High);
+  return TP_LIBCALL(ldexp)(Sum.High + (Sum.Low + E.Fraction.Low),
+                           E.Whole + Shift);
+}
+
+DoublePair tp::exponentialMinus1(double X) {
+  Exponential E = splitExponential(X);
+  DoublePair Fraction = fastTwoSum(E.Fraction.High, E.Fraction.Low);
+  double Scale = doublePowerOfTwo(E.Whole);
+  return sum(twoSum(Scale, -1.0),
+             {Fraction.High * Scale, Fraction.Low * Scale});
 }
 
 /// Handles what has no finite logarithm; true if that was it.
@@ -97,26 +143,7 @@ static int integerKind(double Y) {
 
 extern "C" {
 
-double TP_LIBCALL(exp)(double X) {
-  static const double P[] = {
-      0x1.0000000000000p-1,  0x1.5555555555557p-3,  0x1.5555555555556p-5,
-      0x1.11111111100dfp-7,  0x1.6c16c16c162d6p-10, 0x1.a01a01abe6334p-13,
-      0x1.a01a01a6d783ap-16, 0x1.71de023744efap-19, 0x1.27e4db67aa3f0p-22,
-      0x1.af4ddda8c10fap-26, 0x1.1f72fc87bcc58p-29};
-  if (isNaN(X))
-    return doubleNaN();
-  if (X > 0x1.62e42fefa39efp+9)
-    return doubleInfinity();
-  if (X < -0x1.74910d52d3052p+9)
-    return 0.0;
-  double Whole = TP_LIBCALL(rint)(X * 0x1.71547652b82fep+0);
-  double High = X - Whole * Ln2Exact.High;
-  DoublePair Rest = twoSum(High, -(Whole * Ln2Exact.Low));
-  double R = Rest.High;
-  DoublePair Sum = fastTwoSum(1.0, R);
-  double Result = Sum.High + (Sum.Low + (Rest.Low + R * R * polynomial(R, P)));
-  return TP_LIBCALL(ldexp)(Result, static_cast<int>(Whole));
-}
+double TP_LIBCALL(exp)(double X) { return exponential(X, 0); }
 
 double TP_LIBCALL(exp2)(double X) {
   if (isNaN(X))

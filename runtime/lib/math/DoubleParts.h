@@ -37,6 +37,28 @@ inline double polynomial(double X, const double (&Coefficients)[Count]) {
   return Sum;
 }
 
+/// 2 to the \p Exponent, which is in [-1022, 1023].
+inline double doublePowerOfTwo(int Exponent) {
+  return soft::fromBits(static_cast<uint64_t>(Exponent + soft::kBias) << 52);
+}
+
+/// Base-2 logarithm to about 2^-65 of itself, of a finite number above 0 that
+/// has the bits \p Magnitude.
+DoublePair logarithm2(uint64_t Magnitude);
+
+/// Natural logarithm of a finite number above 0.
+DoublePair logarithm(DoublePair X);
+
+/// 2^(High + Low) for results from the smallest subnormal to below infinity;
+/// 2^-58.
+double exponential2(DoublePair X);
+
+/// e^\p X times 2 to the \p Shift, rounded once; for any number.
+double exponential(double X, int Shift);
+
+/// e^\p X - 1 for \p X in [-80, 80], to about 2^-55 of itself.
+DoublePair exponentialMinus1(double X);
+
 } // namespace tp
 
 extern "C" {
@@ -64,6 +86,26 @@ double TP_LIBCALL(fmin)(double X, double Y);
 double TP_LIBCALL(fmax)(double X, double Y);
 double TP_LIBCALL(frexp)(double X, int *Exponent);
 double TP_LIBCALL(modf)(double X, double *Whole);
+double TP_LIBCALL(sqrt)(double X);
+double TP_LIBCALL(acosh)(double X);
+double TP_LIBCALL(asinh)(double X);
+double TP_LIBCALL(atanh)(double X);
+double TP_LIBCALL(cbrt)(double X);
+double TP_LIBCALL(cosh)(double X);
+double TP_LIBCALL(erf)(double X);
+double TP_LIBCALL(erfc)(double X);
+double TP_LIBCALL(expm1)(double X);
+double TP_LIBCALL(hypot)(double X, double Y);
+double TP_LIBCALL(lgamma)(double X);
+double TP_LIBCALL(log1p)(double X);
+double TP_LIBCALL(nextafter)(double X, double Toward);
+double TP_LIBCALL(remainder)(double X, double Y);
+double TP_LIBCALL(remquo)(double X, double Y, int *Quotient);
+double TP_LIBCALL(sinh)(double X);
+double TP_LIBCALL(tanh)(double X);
+double TP_LIBCALL(tgamma)(double X);
+int TP_LIBCALL(ilogb)(double X);
+double TP_LIBCALL(logb)(double X);
 } // extern "C"
 
 #endif // TP_RUNTIME_LIB_MATH_DOUBLEPARTS_H

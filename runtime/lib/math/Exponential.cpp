@@ -68,13 +68,21 @@ FloatPair logarithm2(uint32_t Bits) {
   return Exponent != 0 ? add(static_cast<float>(Exponent), L) : L;
 }
 
-float exp(float X) {
-  if (X != X)
-    return floatNaN();
-  if (X > 0x1.62e42ep+6f)
-    return floatInfinity();
-  if (X < -0x1.9fe36ap+6f)
-    return 0.0f;
+FloatPair logarithm(FloatPair X) {
+  return sum(multiply(logarithm2(floatBits(X.High)), Ln2), X.Low / X.High);
+}
+
+namespace {
+
+/// e^X is 2^Whole (1 + High + Low).
+struct SplitExponential {
+  int Whole;
+  FloatPair Fraction;
+};
+
+} // namespace
+
+static inline SplitExponential splitExponential(float X) {
   float Whole = rint(X * 0x1.715476p+0f);
   float High = X - Whole * Ln2Exact.High;
   float Low = Whole * Ln2Exact.Low;
@@ -84,9 +92,41 @@ float exp(float X) {
   P = 0x1.55551ap-5f + R * P;
   P = 0x1.5554dcp-3f + R * P;
   P = 0x1.000000p-1f + R * P;
-  FloatPair Sum = fastTwoSum(1.0f, R);
-  return scale(Sum.High + (Sum.Low + (Rest.Low + R * R * P)),
-               static_cast<int>(Whole));
+  return {static_cast<int>(Whole), {R, Rest.Low + R * R * P}};
+}
+
+static inline float scaledExponential(float X, int Shift) {
+  SplitExponential E = splitExponential(X);
+  FloatPair Sum = fastTwoSum(1.0f, E.Fraction.High);
+  return scale(Sum.High + (Sum.Low + E.Fraction.Low), E.Whole + Shift);
+}
+
+float exp(float X) {
+  if (X != X)
+    return floatNaN();
+  if (X > 0x1.62e42ep+6f)
+    return floatInfinity();
+  if (X < -0x1.9fe36ap+6f)
+    return 0.0f;
+  return scaledExponential(X, 0);
+}
+
+float exponential(float X, int Shift) {
+  if (X != X)
+    return floatNaN();
+  if (X > 100.0f)
+    return floatInfinity();
+  if (X < -120.0f)
+    return 0.0f;
+  return scaledExponential(X, Shift);
+}
+
+FloatPair exponentialMinus1(float X) {
+  SplitExponential E = splitExponential(X);
+  FloatPair Fraction = fastTwoSum(E.Fraction.High, E.Fraction.Low);
+  float Scale = powerOfTwo(E.Whole);
+  return sum(twoSum(Scale, -1.0f),
+             {Fraction.High * Scale, Fraction.Low * Scale});
 }
 
 float exp2(float X) {

@@ -61,6 +61,15 @@ inline float splitAroundOne(uint32_t Bits, int &Exponent) {
 /// the whole.
 FloatPair logarithm2(uint32_t Bits);
 
+/// Natural logarithm of a finite number above 0.
+FloatPair logarithm(FloatPair X);
+
+/// e^\p X times 2 to the \p Shift in [-2, 2], rounded once; for any number.
+float exponential(float X, int Shift);
+
+/// e^\p X - 1 for \p X in [-40, 40], to about 2^-28 of itself.
+FloatPair exponentialMinus1(float X);
+
 } // namespace tp
 
 #endif // TP_RUNTIME_LIB_MATH_FLOATPARTS_H

@@ -70,31 +70,73 @@ static double scaleBy(double X, int Exponent) {
   return fromBits(pack(bits(X) & kSign, U.Exponent + Exponent, U.Significand));
 }
 
-static double remainder(double X, double Y) {
-  uint64_t Dividend = bits(X) & ~kSign;
-  uint64_t Divisor = bits(Y) & ~kSign;
-  uint64_t Sign = bits(X) & kSign;
-  if (Dividend >= kInfinity || Divisor > kInfinity || Divisor == 0)
-    return fromBits(kNaN);
+namespace {
+
+/// What division by subtraction leaves, and how often it subtracted, modulo
+/// 2^32.
+struct Division {
+  double Rest;
+  uint32_t Quotient;
+};
+
+} // namespace
+
+/// Of magnitudes of finite numbers, the divisor not 0.
+static Division divideMagnitudes(uint64_t Dividend, uint64_t Divisor) {
   if (Dividend < Divisor)
-    return X;
+    return {fromBits(Dividend), 0};
   Unpacked UX = unpack(Dividend);
   Unpacked UY = unpack(Divisor);
   uint64_t Rest = UX.Significand >> 11;
   uint64_t Unit = UY.Significand >> 11;
+  uint32_t Quotient = 0;
   int Shift = UX.Exponent - UY.Exponent;
   for (;;) {
-    if (Rest >= Unit)
+    if (Rest >= Unit) {
       Rest -= Unit;
+      Quotient |= 1;
+    }
     if (Shift == 0 || Rest == 0)
       break;
     Rest <<= 1;
+    Quotient <<= 1;
     --Shift;
   }
+  Quotient = Shift < 32 ? Quotient << Shift : 0;
   if (Rest == 0)
-    return fromBits(Sign);
+    return {0.0, Quotient};
   int Lift = tp::wide::leadingZeros(Rest);
-  return fromBits(pack(Sign, UY.Exponent + 11 - Lift, Rest << Lift));
+  return {fromBits(pack(0, UY.Exponent + 11 - Lift, Rest << Lift)), Quotient};
+}
+
+static bool isDivisible(double X, double Y) {
+  uint64_t Divisor = bits(Y) & ~kSign;
+  return (bits(X) & ~kSign) < kInfinity && Divisor <= kInfinity && Divisor != 0;
+}
+
+static double modulo(double X, double Y) {
+  if (!isDivisible(X, Y))
+    return fromBits(kNaN);
+  Division D = divideMagnitudes(bits(X) & ~kSign, bits(Y) & ~kSign);
+  return fromBits((bits(X) & kSign) | bits(D.Rest));
+}
+
+/// As modulo, from the nearest multiple, the even one if there are two; the
+/// quotient's lower bits have its sign.
+static double nearestRemainder(double X, double Y, int &Quotient) {
+  Quotient = 0;
+  if (!isDivisible(X, Y))
+    return fromBits(kNaN);
+  uint64_t Magnitude = bits(Y) & ~kSign;
+  Division D = divideMagnitudes(bits(X) & ~kSign, Magnitude);
+  double Beyond = fromBits(Magnitude) - D.Rest;
+  if (D.Rest > Beyond || (D.Rest == Beyond && (D.Quotient & 1))) {
+    D.Rest = fromBits(bits(Beyond) | kSign);
+    ++D.Quotient;
+  }
+  int Lower = static_cast<int>(D.Quotient & 0x7FFFFFFF);
+  Quotient = (bits(X) ^ bits(Y)) & kSign ? -Lower : Lower;
+  return fromBits(bits(D.Rest) ^ (bits(X) & kSign));
 }
 
 /// The smaller of the two in the order -0 < +0, NaN losing.
@@ -153,7 +195,43 @@ double TP_LIBCALL(fmax)(double X, double Y) {
     return Negated;
   return fromBits(bits(Negated) ^ kSign);
 }
-double TP_LIBCALL(fmod)(double X, double Y) { return remainder(X, Y); }
+double TP_LIBCALL(fmod)(double X, double Y) { return modulo(X, Y); }
+double TP_LIBCALL(remquo)(double X, double Y, int *Quotient) {
+  return nearestRemainder(X, Y, *Quotient);
+}
+double TP_LIBCALL(remainder)(double X, double Y) {
+  int Ignored;
+  return nearestRemainder(X, Y, Ignored);
+}
+
+double TP_LIBCALL(nextafter)(double X, double Toward) {
+  uint64_t Magnitude = bits(X) & ~kSign;
+  if (Magnitude > kInfinity || (bits(Toward) & ~kSign) > kInfinity)
+    return fromBits(kNaN);
+  if (X == Toward)
+    return Toward;
+  if (Magnitude == 0)
+    return fromBits((bits(Toward) & kSign) | 1);
+  bool Up = (X < Toward) == ((bits(X) & kSign) == 0);
+  return fromBits(Up ? bits(X) + 1 : bits(X) - 1);
+}
+
+int TP_LIBCALL(ilogb)(double X) {
+  uint64_t Magnitude = bits(X) & ~kSign;
+  if (Magnitude == 0 || Magnitude > kInfinity)
+    return INT32_MIN;
+  return Magnitude == kInfinity ? INT32_MAX
+                                : unpack(Magnitude).Exponent - kBias;
+}
+
+double TP_LIBCALL(logb)(double X) {
+  uint64_t Magnitude = bits(X) & ~kSign;
+  if (Magnitude >= kInfinity)
+    return fromBits(Magnitude > kInfinity ? kNaN : kInfinity);
+  if (Magnitude == 0)
+    return fromBits(kSign | kInfinity);
+  return unpack(Magnitude).Exponent - kBias;
+}
 double TP_LIBCALL(sqrt)(double X) { return TP_LIBCALL(__tp_sqrtdf)(X); }
 double TP_LIBCALL(fma)(double X, double Y, double Z) {
   return TP_LIBCALL(__tp_fmadf)(X, Y, Z);
@@ -164,6 +242,13 @@ double TP_LIBCALL(ldexp)(double X, int Exponent) {
 double TP_LIBCALL(scalbn)(double X, int Exponent) {
   return scaleBy(X, Exponent);
 }
+double TP_LIBCALL(scalbln)(double X, long Exponent) {
+  // Beyond these every number overflows or vanishes.
+  return scaleBy(X, Exponent > 5000    ? 5000
+                    : Exponent < -5000 ? -5000
+                                       : static_cast<int>(Exponent));
+}
+double TP_LIBCALL(nan)(const char *) { return fromBits(kNaN); }
 
 double TP_LIBCALL(frexp)(double X, int *Exponent) {
   *Exponent = 0;

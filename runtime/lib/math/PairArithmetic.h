@@ -86,6 +86,25 @@ template <typename T> inline Pair<T> divide(T A, Pair<T> B) {
   return fastTwoSum(Quotient, Rest / B.High);
 }
 
+/// A / B.
+template <typename T> inline Pair<T> divide(Pair<T> A, Pair<T> B) {
+  T Quotient = A.High / B.High;
+  Pair<T> P = twoProduct(Quotient, B.High);
+  T Rest = (((A.High - P.High) - P.Low) + A.Low) - Quotient * B.Low;
+  return fastTwoSum(Quotient, Rest / B.High);
+}
+
+/// A + B, either of which may be the greater.
+template <typename T> inline Pair<T> sum(Pair<T> A, Pair<T> B) {
+  Pair<T> S = twoSum(A.High, B.High);
+  return fastTwoSum(S.High, S.Low + (A.Low + B.Low));
+}
+
+template <typename T> inline Pair<T> sum(Pair<T> A, T B) {
+  Pair<T> S = twoSum(A.High, B);
+  return fastTwoSum(S.High, S.Low + A.Low);
+}
+
 } // namespace tp
 
 #endif // TP_RUNTIME_LIB_MATH_PAIRARITHMETIC_H

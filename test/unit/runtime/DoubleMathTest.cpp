@@ -74,8 +74,53 @@ TEST(DoubleMath, Functions) {
   expectWithin("log10", tpSoft_log10, std::log10, 0.51);
 }
 
-TEST(DoubleMath, PowAndAtan2) {
-  double WorstPow = 0, WorstAtan2 = 0;
+TEST(DoubleMath, HyperbolicFunctionsAndRoots) {
+  expectWithin("expm1", tpSoft_expm1, std::expm1, 1);
+  expectWithin("log1p", tpSoft_log1p, std::log1p, 0.7);
+  expectWithin("sinh", tpSoft_sinh, std::sinh, 0.8);
+  expectWithin("cosh", tpSoft_cosh, std::cosh, 0.8);
+  expectWithin("tanh", tpSoft_tanh, std::tanh, 0.8);
+  expectWithin("asinh", tpSoft_asinh, std::asinh, 0.51);
+  expectWithin("acosh", tpSoft_acosh, std::acosh, 0.51);
+  expectWithin("atanh", tpSoft_atanh, std::atanh, 0.51);
+  expectWithin("cbrt", tpSoft_cbrt, std::cbrt, 0.51);
+}
+
+TEST(DoubleMath, ErrorFunctions) {
+  expectWithin("erf", tpSoft_erf, std::erf, 1.3);
+  expectWithin("erfc", tpSoft_erfc, std::erfc, 4);
+}
+
+TEST(DoubleMath, GammaFunctions) {
+  expectWithin(
+      "gamma+", [](double X) { return X < 0 ? 0 : tpSoft_tgamma(X); },
+      [](long double X) { return X < 0 ? 0 : std::tgamma(X); }, 2);
+  expectWithin(
+      "lgamma+", [](double X) { return X < 0 ? 0 : tpSoft_lgamma(X); },
+      [](long double X) { return X < 0 ? 0 : std::lgamma(X); }, 2);
+  expectWithin(
+      "gamma-", [](double X) { return X > 0 ? 0 : tpSoft_tgamma(X); },
+      [](long double X) { return X > 0 ? 0 : std::tgamma(X); }, 5);
+  // Below 0 the logarithm has many zeros; there the error is absolute.
+  double Worst = 0;
+  forArguments([&](double X) {
+    if (!(X < 0))
+      return;
+    double Ours = tpSoft_lgamma(X);
+    long double Exact = std::lgamma(static_cast<long double>(X));
+    if (std::isinf(Ours) || std::isinf(Exact))
+      ASSERT_EQ(Ours, static_cast<double>(Exact)) << std::hexfloat << X;
+    else
+      Worst = std::max(Worst,
+                       static_cast<double>(std::fabs(Ours - Exact) /
+                                           (1 + std::fabs(Exact)) * 0x1p52L));
+  });
+  printf("lgamma- %.3f\n", Worst);
+  EXPECT_LE(Worst, 2.5);
+}
+
+TEST(DoubleMath, FunctionsOfTwo) {
+  double WorstPow = 0, WorstAtan2 = 0, WorstHypot = 0;
   auto Check = [&](double X, double Y) {
     double Pow = tpSoft_pow(X, Y), HostPow = std::pow(X, Y);
     double Error = ulpError(Pow, std::pow((long double)X, (long double)Y));
@@ -86,6 +131,12 @@ TEST(DoubleMath, PowAndAtan2) {
                       std::bit_cast<uint64_t>(HostPow) ||
                   Error < 1)
           << std::hexfloat << X << " " << Y << " " << Pow;
+    double Distance = tpSoft_hypot(X, Y);
+    WorstHypot = std::max(
+        WorstHypot,
+        std::isinf(X) || std::isinf(Y)
+            ? (Distance == HUGE_VAL ? 0 : HUGE_VAL)
+            : ulpError(Distance, std::hypot((long double)X, (long double)Y)));
     double Angle = tpSoft_atan2(X, Y);
     WorstAtan2 =
         std::max(WorstAtan2,
@@ -106,6 +157,8 @@ TEST(DoubleMath, PowAndAtan2) {
   printf("pow %.3f ulp, atan2 %.3f ulp\n", WorstPow, WorstAtan2);
   EXPECT_LE(WorstPow, 0.8);
   EXPECT_LE(WorstAtan2, 0.75);
+  printf("hypot %.3f ulp\n", WorstHypot);
+  EXPECT_LE(WorstHypot, 1);
 }
 
 TEST(DoubleMath, ExactFunctions) {
@@ -132,6 +185,20 @@ TEST(DoubleMath, ExactFunctions) {
       ASSERT_EQ(OurExponent, HostExponent);
     ASSERT_TRUE(Same(tpSoft_modf(X, &OurWhole), std::modf(X, &HostWhole)));
     ASSERT_TRUE(Same(OurWhole, HostWhole));
+    ASSERT_TRUE(Same(tpSoft_remainder(X, Y), std::remainder(X, Y)))
+        << X << " " << Y;
+    int OurQuotient, HostQuotient = 0;
+    ASSERT_TRUE(Same(tpSoft_remquo(X, Y, &OurQuotient),
+                     std::remquo(X, Y, &HostQuotient)));
+    if (std::isfinite(X) && !std::isnan(Y) && Y != 0)
+      ASSERT_TRUE(((OurQuotient ^ HostQuotient) & 7) == 0 ||
+                  ((OurQuotient + HostQuotient) & 7) == 0)
+          << X << " " << Y << " " << OurQuotient << " " << HostQuotient;
+    ASSERT_TRUE(Same(tpSoft_nextafter(X, Y), std::nextafter(X, Y)))
+        << X << " " << Y;
+    ASSERT_TRUE(Same(tpSoft_logb(X), std::logb(X))) << X;
+    if (std::isfinite(X) && X != 0)
+      ASSERT_EQ(tpSoft_ilogb(X), std::ilogb(X)) << X;
     int Exponent = static_cast<int>(std::bit_cast<uint64_t>(Y) % 4400) - 2200;
     ASSERT_TRUE(Same(tpSoft_ldexp(X, Exponent), std::ldexp(X, Exponent)))
         << X << " " << Exponent;

@@ -154,6 +154,18 @@ TEST(Math, Exp2) { sweep("exp2", tp::exp2, std::exp2, 0.65, 0.80); }
 TEST(Math, Log) { sweep("log", tp::log, std::log, 0.66); }
 TEST(Math, Log2) { sweep("log2", tp::log2, std::log2, 0.51); }
 TEST(Math, Log10) { sweep("log10", tp::log10, std::log10, 0.51); }
+
+TEST(Math, HyperbolicFunctionsAndRoots) {
+  sweep("expm1", tp::expm1, std::expm1, 1.5);
+  sweep("log1p", tp::log1p, std::log1p, 0.7);
+  sweep("sinh", tp::sinh, std::sinh, 1.25);
+  sweep("cosh", tp::cosh, std::cosh, 0.8);
+  sweep("tanh", tp::tanh, std::tanh, 1.25);
+  sweep("asinh", tp::asinh, std::asinh, 0.51);
+  sweep("acosh", tp::acosh, std::acosh, 0.51);
+  sweep("atanh", tp::atanh, std::atanh, 0.51);
+  sweep("cbrt", tp::cbrt, std::cbrt, 0.53);
+}
 TEST(Math, Pow) { sweepPairs("pow", tp::pow, std::pow, 0.75, 0.80); }
 TEST(Math, Atan2) { sweepPairs("atan2", tp::atan2, std::atan2, 0.70, 0.70); }
 TEST(Math, FastSin) { sweep("fastSin", tp::fastSin, std::sin, 1.0, 1.0); }
