@@ -357,9 +357,9 @@ SDValue TPTargetLowering::lowerRoundToBFloat(SDValue Op,
       Node(ISD::ADD, Node(ISD::ADD, Bits, Constant(0x7fff)), IsOdd);
   SDValue Result = Node(ISD::SRL, Rounded, Constant(16));
   if (!DAG.isKnownNeverNaN(Float))
-    Result = DAG.getSelect(
-        DL, MVT::i32, DAG.getSetCC(DL, MVT::i32, Float, Float, ISD::SETUO),
-        Node(ISD::OR, High, Constant(0x40)), Result);
+    Result = DAG.getSelect(DL, MVT::i32,
+                           DAG.getSetCC(DL, MVT::i32, Float, Float, ISD::SETUO),
+                           Node(ISD::OR, High, Constant(0x40)), Result);
   return DAG.getZExtOrTrunc(Result, DL, Op.getValueType());
 }
 
