@@ -164,6 +164,9 @@ driverArguments(const TranslatedCommandLine &User, const ArgList &UserArguments,
                                           "--start-no-unused-arguments"};
   append_range(Arguments, defaultDriverArguments());
   append_range(Arguments, User.Defaults);
+  // The trap of a failed check is named in line tables.
+  if (UserArguments.hasArg(OPT_fsanitize_EQ))
+    Arguments.push_back("-gline-tables-only");
   Arguments.push_back("--end-no-unused-arguments");
   if (UserArguments.hasArg(OPT_v))
     append_range(Arguments, ArrayRef<const char *>{"-Xclang", "-v"});
@@ -319,7 +322,10 @@ static int compileAndLink(TranslatedCommandLine &Translated,
     if (auto Settings = Resolver.resolve(Given))
       printFloatingPointComment(errs(), *Settings);
     printJobs(*Jobs, Plan);
-  } else if (!UserArguments.hasArg(OPT_fdriver_only)) {
+  } else if (UserArguments.hasArg(OPT_fdriver_only)) {
+    if (Verbose)
+      printJobs(*Jobs, Plan);
+  } else {
     Succeeded = JobRunner(*Jobs, Plan, ToolPath, Folders, Translated.Warnings)
                     .runAll(Verbose);
   }

@@ -42,6 +42,11 @@ static constexpr const char *Defaults[] = {
     "-fno-math-errno",
     // Conversions saturate, as the instruction does.
     "-fno-strict-float-cast-overflow",
+    // The runtime has no functions for failed checks.
+    "-fsanitize-trap=all",
+    // A trap of its own for each check can name it.
+    "-fno-sanitize-merge",
+    "-Wframe-larger-than=" TP_DEFAULT_LOCAL_STORE_BYTES,
 };
 
 ArrayRef<const char *> defaultDriverArguments() { return Defaults; }

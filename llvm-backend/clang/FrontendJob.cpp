@@ -8,8 +8,11 @@
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/ClangTargetInfo.h"
 #include "llvm-backend/clang/TimeReports.h"
+#include "llvm-backend/clang/link/FunctionPlaces.h"
+#include "clang/AST/Decl.h"
 #include "clang/Basic/DiagnosticFrontend.h"
 #include "clang/CodeGen/CodeGenAction.h"
+#include "clang/CodeGen/ModuleBuilder.h"
 #include "clang/Frontend/CompilerInstance.h"
 #include "clang/Frontend/CompilerInvocation.h"
 #include "clang/Frontend/TextDiagnosticBuffer.h"
@@ -186,6 +189,49 @@ bool runFrontend(ArrayRef<const char *> Arguments, const char *ToolPath) {
   return Action && executeAndReport(*Instance, *Action);
 }
 
+namespace {
+
+/// Compiles to a module for the link and tells it what only the front end knows
+/// of the functions.
+class UnitAction final : public EmitLLVMOnlyAction {
+public:
+  using EmitLLVMOnlyAction::EmitLLVMOnlyAction;
+
+private:
+  void EndSourceFileAction() override;
+  void describe(Function &F, SourceLocation Location);
+};
+
+} // namespace
+
+void UnitAction::describe(Function &F, SourceLocation Location) {
+  const CompilerInstance &Instance = getCompilerInstance();
+  const DiagnosticsEngine &Diags = Instance.getDiagnostics();
+  const DiagnosticsEngine::Level Level =
+      Diags.getDiagnosticLevel(diag::warn_fe_frame_larger_than, Location);
+  if (Level == DiagnosticsEngine::Ignored)
+    F.removeFnAttr("warn-stack-size");
+  const PresumedLoc Place =
+      Instance.getSourceManager().getPresumedLoc(Location);
+  if (Place.isValid())
+    setFunctionPlace(F,
+                     {{Place.getFilename(), Place.getLine(), Place.getColumn()},
+                      Level == DiagnosticsEngine::Error});
+}
+
+void UnitAction::EndSourceFileAction() {
+  // IR comes without declarations.
+  if (getCurrentFileKind().getLanguage() != Language::LLVM_IR)
+    if (CodeGenerator *Generator = getCodeGenerator())
+      if (llvm::Module *Unit = Generator->GetModule())
+        for (Function &F : *Unit)
+          if (!F.isDeclaration())
+            if (const Decl *Source =
+                    Generator->GetDeclForMangledName(F.getName()))
+              describe(F, Source->getLocation());
+  EmitLLVMOnlyAction::EndSourceFileAction();
+}
+
 std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
                                               const char *ToolPath,
                                               LLVMContext &Context) {
@@ -200,7 +246,9 @@ std::unique_ptr<llvm::Module> compileToModule(ArrayRef<const char *> Arguments,
       });
   Context.setDiscardValueNames(Instance->getCodeGenOpts().DiscardValueNames &&
                                !IsIr);
-  EmitLLVMOnlyAction Action(&Context);
+  // Places of declarations are wanted after the module is made.
+  Instance->getCodeGenOpts().ClearASTBeforeBackend = false;
+  UnitAction Action(&Context);
   if (!executeAndReport(*Instance, Action))
     return nullptr;
   return Action.takeModule();

@@ -9,6 +9,7 @@
 #include "llvm-backend/FloatingPoint/Check/CheckFailure.h"
 #include "simulator/isa/Instructions.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Endian.h"
 #include "llvm/Support/Format.h"
 #include "llvm/Support/MathExtras.h"
@@ -41,6 +42,30 @@ failedCheck(const Trap &T, const RegisterFunction &Registers) {
   for (unsigned I = 0; I != Values.size(); ++I)
     Values[I] = Make_64(Registers(FirstHigh + I), Registers(FirstLow + I));
   return CheckFailure::fromCode(T.Address).describe(Values);
+}
+
+/// Takes from \p Frames the innermost one if it only names the check of
+/// -fsanitize= that ended in the trap: clang makes it a function
+/// `__clang_trap_msg$<category>$<reason>`.
+/// \returns the check in words, or nothing.
+static std::optional<std::string>
+takeSanitizerCheck(std::vector<SourceFrame> &Frames) {
+  if (Frames.empty())
+    return std::nullopt;
+  StringRef Reason = Frames.front().Function;
+  if (!Reason.consume_front("__clang_trap_msg$"))
+    return std::nullopt;
+  StringRef Category;
+  std::tie(Category, Reason) = Reason.split('$');
+  std::string Text =
+      (Category == "Undefined Behavior Sanitizer" ? "undefined behaviour: "
+                                                  : Category + ": ")
+          .str();
+  if (!Reason.empty())
+    Text += toLower(Reason.front());
+  Text += Reason.drop_front(Reason.empty() ? 0 : 1);
+  Frames.erase(Frames.begin());
+  return Text;
 }
 
 /// The instruction at \p Pc with its operands by name and the values that it
@@ -97,7 +122,10 @@ std::string trapMessage(const Trap &T, TrapClock Clock, const ChipConfig &Chip,
     OS << "at cycle " << T.Cycle << ": ";
   else
     OS << "after " << T.Cycle << " instructions: ";
+  std::vector<SourceFrame> Frames = Symbols.frames(T.Pc);
   std::optional<std::string> Check = failedCheck(T, Registers);
+  if (!Check && T.Kind == TrapKind::Break)
+    Check = takeSanitizerCheck(Frames);
   OS << (Check ? *Check : T.what());
   if (T.Kind == TrapKind::AddressOutOfRange &&
       isBelowLocalStore(T.Address, Chip))
@@ -110,7 +138,6 @@ std::string trapMessage(const Trap &T, TrapClock Clock, const ChipConfig &Chip,
           "-Wl,-z,stack-size=<bytes>";
 
   OS << "\n  pc " << address(T.Pc);
-  std::vector<SourceFrame> Frames = Symbols.frames(T.Pc);
   for (size_t I = 0; I != Frames.size(); ++I)
     OS << (I ? "\n    inlined " : " ") << Symbolizer::describe(Frames[I]);
 

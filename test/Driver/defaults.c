@@ -39,7 +39,6 @@
 // LINK: "-cc1"
 // LINK-SAME: "-emit-llvm-bc"
 // LINK-SAME: "-flto=full"
-// LINK: tpcc" "-link" "-o" "{{[^"]*}}.elf" "{{[^"]*}}/lib/tp/runtime.bc" "-O3"
-// NOSTDLIB: "-link" "-o" "a.out"
-// NOSTDLIB-NOT: runtime.bc
+// LINK: tpcc" "-o" "{{[^"]*}}.elf" "-O3" "{{[^"]*}}.o"
+// NOSTDLIB: tpcc" "-o" "a.out" "-nostdlib"
 // NOTRIG: "-target-feature" "-trig"

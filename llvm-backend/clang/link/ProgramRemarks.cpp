@@ -8,6 +8,7 @@
 #include "llvm-backend/clang/link/FunctionPlaces.h"
 #include "llvm/Demangle/Demangle.h"
 #include "llvm/IR/DiagnosticPrinter.h"
+#include "llvm/Support/FileSystem.h"
 
 using namespace llvm;
 
@@ -51,7 +52,8 @@ static SourcePlace placeOf(const DiagnosticInfoWithLocationBase &Info) {
   StringRef File;
   SourcePlace Place;
   Info.getLocation(File, Place.Line, Place.Column);
-  Place.File = File.str();
+  // Clang's debug data splits a path where the folder of the compilation ends.
+  Place.File = sys::fs::exists(File) ? File.str() : Info.getAbsolutePath();
   return Place;
 }
 

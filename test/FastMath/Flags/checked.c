@@ -20,7 +20,7 @@
 // ON-SAME: "-D" "__TP_CHECK_FP__=1"
 // ON-SAME: "-mllvm" "-tp-fp-check"
 // ON-NOT: "-tp-fp-check"
-// ON: "-link"
+// ON: tpcc" "-o" "{{[^"]*}}"
 // ON-SAME: "-mllvm" "-tp-fp-check"
 // DEBUG: "-debug-info-kind=constructor"
 // NODEBUG: "-cc1"

@@ -16,7 +16,7 @@
 // JOBS: canonicalization: off
 // JOBS: "-cc1"
 // JOBS-SAME: "-mllvm" "-tp-fp-canonicalize=0"
-// JOBS: "-link"
+// JOBS: tpcc" "-o" "{{[^"]*}}.elf"
 // JOBS-SAME: "-mllvm" "-tp-fp-canonicalize=0"
 
 // Stock LLVM cancels, also what is infinite.

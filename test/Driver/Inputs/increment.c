@@ -1,0 +1,2 @@
+static volatile int Counter;
+int increment(int By) { return Counter += By; }
