@@ -276,7 +276,9 @@ class Expressions:
         if method == 2:
             operator = self.choice(COMPARISONS)
             other = self.leaf(kind, scope)
-            return f"(({left} {operator} {right}) ? {other} : {right})"
+            # Without the casts one could be const and the other not.
+            return (f"(({left} {operator} {right}) ? ({kind.name}){other} : "
+                    f"({kind.name}){right})")
         if method == 3:
             return self.vector_conversion(kind, scope, depth)
         if isinstance(kind.element, Floating):
