@@ -117,30 +117,62 @@ void TPAsmPrinter::printOperand(const MachineOperand &Operand,
     MAI->printExpr(OS, *Result.getExpr());
 }
 
+/// The operand that holds word \p Word of the 64-bit value whose first register
+/// is operand \p OpNo; null if the value has one register.
+static const MachineOperand *getWord(const MachineInstr &MI, unsigned OpNo,
+                                     unsigned Word) {
+  const MachineOperand &Flags = MI.getOperand(OpNo - 1);
+  if (!Flags.isImm() || !MI.getOperand(OpNo).isReg() ||
+      InlineAsm::Flag(Flags.getImm()).getNumOperandRegisters() != 2)
+    return nullptr;
+  return &MI.getOperand(OpNo + Word);
+}
+
 bool TPAsmPrinter::PrintAsmOperand(const MachineInstr *MI, unsigned OpNo,
                                    const char *ExtraCode, raw_ostream &OS) {
   if (!AsmPrinter::PrintAsmOperand(MI, OpNo, ExtraCode, OS))
     return false;
-  const MachineOperand &Operand = MI->getOperand(OpNo);
+  const MachineOperand *Operand = &MI->getOperand(OpNo);
   if (ExtraCode && ExtraCode[0]) {
-    // `z` names the zero register for a constant 0.
-    if (ExtraCode[0] != 'z' || ExtraCode[1])
+    if (ExtraCode[1])
       return true;
-    if (Operand.isImm() && Operand.getImm() == 0) {
-      OS << TPInstPrinter::getRegisterName(TP::R0);
-      return false;
+    switch (ExtraCode[0]) {
+    case 'z': // The zero register for a constant 0.
+      if (Operand->isImm() && Operand->getImm() == 0) {
+        OS << TPInstPrinter::getRegisterName(TP::R0);
+        return false;
+      }
+      break;
+    case 'L': // The low word of 64 bits.
+      Operand = getWord(*MI, OpNo, 0);
+      break;
+    case 'D': // The second word of 64 bits.
+    case 'M': // The high word.
+      Operand = getWord(*MI, OpNo, 1);
+      break;
+    default:
+      return true;
     }
+    if (!Operand)
+      return true;
   }
-  printOperand(Operand, OS);
+  printOperand(*Operand, OS);
   return false;
 }
 
 bool TPAsmPrinter::PrintAsmMemoryOperand(const MachineInstr *MI, unsigned OpNo,
                                          const char *ExtraCode,
                                          raw_ostream &OS) {
-  if (ExtraCode && ExtraCode[0])
+  const MachineOperand &Offset = MI->getOperand(OpNo + 1);
+  bool IsSecondWord = ExtraCode && ExtraCode[0] == 'D' && !ExtraCode[1];
+  if (ExtraCode && ExtraCode[0] && !IsSecondWord)
     return true;
-  printOperand(MI->getOperand(OpNo + 1), OS);
+  if (IsSecondWord && Offset.isImm())
+    OS << Offset.getImm() + 4;
+  else
+    printOperand(Offset, OS);
+  if (IsSecondWord && !Offset.isImm())
+    OS << "+4";
   OS << '(';
   printOperand(MI->getOperand(OpNo), OS);
   OS << ')';

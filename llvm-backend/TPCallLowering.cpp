@@ -62,6 +62,10 @@ SDValue TPTargetLowering::LowerFormalArguments(
   CCState State(CallConv, IsVarArg, MF, Locations, *DAG.getContext());
   State.AnalyzeFormalArguments(Ins, CC_TP);
 
+  const bool ReplacesArguments =
+      any_of(MF.getFunction(), [](const BasicBlock &Block) {
+        return Block.getTerminatingMustTailCall();
+      });
   for (const CCValAssign &Location : Locations) {
     MVT VT = Location.getLocVT();
     SDValue Value;
@@ -69,7 +73,8 @@ SDValue TPTargetLowering::LowerFormalArguments(
       Register Reg = MF.addLiveIn(Location.getLocReg(), getRegClassFor(VT));
       Value = DAG.getCopyFromReg(Chain, DL, Reg, VT);
     } else {
-      int Index = MFI.CreateFixedObject(4, Location.getLocMemOffset(), true);
+      int Index = MFI.CreateFixedObject(4, Location.getLocMemOffset(),
+                                        /*IsImmutable=*/!ReplacesArguments);
       Value = DAG.getLoad(VT, DL, Chain, DAG.getFrameIndex(Index, MVT::i32),
                           MachinePointerInfo::getFixedStack(MF, Index));
     }
@@ -90,8 +95,16 @@ bool TPTargetLowering::mayBeEmittedAsTailCall(const CallInst *CI) const {
   return CI->isTailCall();
 }
 
+/// A musttail call has its caller's prototype, so that its arguments are where
+/// the caller's own came in.
+static bool isMustTail(const TargetLowering::CallLoweringInfo &CLI) {
+  return CLI.CB && CLI.CB->isMustTailCall();
+}
+
 bool TPTargetLowering::isEligibleForTailCall(const CallLoweringInfo &CLI,
                                              unsigned StackBytes) const {
+  if (isMustTail(CLI))
+    return true;
   // Stack arguments and copies of structs would have to outlive this frame.
   if (CLI.IsVarArg || StackBytes != 0)
     return false;
@@ -101,6 +114,50 @@ bool TPTargetLowering::isEligibleForTailCall(const CallLoweringInfo &CLI,
   const Function &Caller = CLI.DAG.getMachineFunction().getFunction();
   // A naked function's frame is its own affair.
   return !Caller.hasFnAttribute(Attribute::Naked);
+}
+
+/// Whether the struct that a musttail call passes is the one that its caller
+/// got in the same place.
+static bool isOwnArgument(const TargetLowering::CallLoweringInfo &CLI,
+                          const ISD::OutputArg &Out) {
+  const Function &Caller = CLI.DAG.getMachineFunction().getFunction();
+  return CLI.CB->getArgOperand(Out.OrigArgIndex) ==
+         Caller.getArg(Out.OrigArgIndex);
+}
+
+/// Moves the structs that a musttail call passes from the copies that \p Values
+/// point to into the memory of the caller's own arguments, which outlives its
+/// frame. Returns the new chain.
+static SDValue
+replaceByValArguments(const TargetLowering::CallLoweringInfo &CLI,
+                      ArrayRef<CCValAssign> Locations,
+                      MutableArrayRef<SDValue> Values, SDValue Chain) {
+  SelectionDAG &DAG = CLI.DAG;
+  MachineFunction &MF = DAG.getMachineFunction();
+  for (auto [Out, Location, Value] : zip_equal(CLI.Outs, Locations, Values)) {
+    if (!Out.Flags.isByVal() || isOwnArgument(CLI, Out))
+      continue;
+    SDValue Memory;
+    if (Location.isRegLoc()) {
+      Register Reg = MF.addLiveIn(Location.getLocReg(), &TP::GPRRegClass);
+      Memory = DAG.getCopyFromReg(Chain, CLI.DL, Reg, MVT::i32);
+    } else {
+      int Index = MF.getFrameInfo().CreateFixedObject(
+          4, Location.getLocMemOffset(), /*IsImmutable=*/false);
+      Memory = DAG.getLoad(MVT::i32, CLI.DL, Chain,
+                           DAG.getFrameIndex(Index, MVT::i32),
+                           MachinePointerInfo::getFixedStack(MF, Index));
+      Chain = Memory.getValue(1);
+    }
+    if (const uint64_t Size = Out.Flags.getByValSize())
+      Chain = DAG.getMemcpy(
+          Chain, CLI.DL, Memory, Value, DAG.getConstant(Size, CLI.DL, MVT::i32),
+          Out.Flags.getNonZeroByValAlign(), /*isVol=*/false,
+          /*AlwaysInline=*/false, /*CI=*/nullptr, /*OverrideTailCall=*/false,
+          MachinePointerInfo(), MachinePointerInfo());
+    Value = Memory;
+  }
+  return Chain;
 }
 
 SDValue TPTargetLowering::LowerCall(CallLoweringInfo &CLI,
@@ -123,20 +180,19 @@ SDValue TPTargetLowering::LowerCall(CallLoweringInfo &CLI,
   }
   const unsigned StackBytes = State.getStackSize();
 
-  const bool MustTail = CLI.CB && CLI.CB->isMustTailCall();
   CLI.IsTailCall = CLI.IsTailCall && isEligibleForTailCall(CLI, StackBytes);
-  if (MustTail && !CLI.IsTailCall) {
-    const Function &Caller = MF.getFunction();
+  const bool MustTail = isMustTail(CLI);
+  if (MustTail && !CLI.IsTailCall)
     DAG.getContext()->diagnose(DiagnosticInfoUnsupported(
-        Caller, "musttail call with variadic, by-value or stack arguments",
+        MF.getFunction(),
+        "musttail call of a function that returns more than two words",
         DL.getDebugLoc()));
-  }
 
   // The copies come first: copying a large one is itself a call.
   SmallVector<SDValue, 16> Values(CLI.OutVals.begin(), CLI.OutVals.end());
   unsigned NumCopies = 0;
   for (auto [Number, Out] : enumerate(CLI.Outs)) {
-    if (!Out.Flags.isByVal())
+    if (!Out.Flags.isByVal() || (MustTail && isOwnArgument(CLI, Out)))
       continue;
     const uint64_t Size = Out.Flags.getByValSize();
     const Align Alignment =
@@ -154,6 +210,12 @@ SDValue TPTargetLowering::LowerCall(CallLoweringInfo &CLI,
     Values[Number] = Copy;
   }
 
+  if (MustTail) {
+    // What comes in is read before what goes out takes its place.
+    Chain = DAG.getStackArgumentTokenFactor(Chain);
+    Chain = replaceByValArguments(CLI, Locations, Values, Chain);
+  }
+
   if (!CLI.IsTailCall)
     Chain = DAG.getCALLSEQ_START(Chain, StackBytes, 0, DL);
 
@@ -165,12 +227,20 @@ SDValue TPTargetLowering::LowerCall(CallLoweringInfo &CLI,
       Registers.emplace_back(Location.getLocReg(), Value);
       continue;
     }
+    const int64_t Offset = Location.getLocMemOffset();
+    if (CLI.IsTailCall) {
+      int Index = MF.getFrameInfo().CreateFixedObject(4, Offset,
+                                                      /*IsImmutable=*/false);
+      Stores.push_back(
+          DAG.getStore(Chain, DL, Value, DAG.getFrameIndex(Index, MVT::i32),
+                       MachinePointerInfo::getFixedStack(MF, Index)));
+      continue;
+    }
     SDValue Address = DAG.getMemBasePlusOffset(
         DAG.getCopyFromReg(Chain, DL, TP::R29, MVT::i32),
-        TypeSize::getFixed(Location.getLocMemOffset()), DL);
-    Stores.push_back(DAG.getStore(
-        Chain, DL, Value, Address,
-        MachinePointerInfo::getStack(MF, Location.getLocMemOffset())));
+        TypeSize::getFixed(Offset), DL);
+    Stores.push_back(DAG.getStore(Chain, DL, Value, Address,
+                                  MachinePointerInfo::getStack(MF, Offset)));
   }
   if (!Stores.empty())
     Chain = DAG.getNode(ISD::TokenFactor, DL, MVT::Other, Stores);

@@ -167,6 +167,36 @@ bool ClangTargetInfo::validateAsmConstraint(const char *&Name,
   return false;
 }
 
+/// Whether a value of \p Bits fits the registers of \p Constraint: two of the
+/// integer registers, one of the float registers.
+static bool fitsConstraint(StringRef Constraint, unsigned Bits) {
+  Constraint = Constraint.ltrim("=+&%");
+  if (Constraint == "f")
+    return Bits <= 32;
+  return Constraint != "r" || Bits <= 64;
+}
+
+bool ClangTargetInfo::validateOutputSize(const llvm::StringMap<bool> &,
+                                         StringRef Constraint,
+                                         unsigned Bits) const {
+  return fitsConstraint(Constraint, Bits);
+}
+
+bool ClangTargetInfo::validateInputSize(const llvm::StringMap<bool> &,
+                                        StringRef Constraint,
+                                        unsigned Bits) const {
+  return fitsConstraint(Constraint, Bits);
+}
+
+bool ClangTargetInfo::validateGlobalRegisterVariable(
+    StringRef Name, unsigned Bits, bool &HasSizeMismatch) const {
+  // Only what no function allocates: zero, the assembler's register and the
+  // stack pointer.
+  HasSizeMismatch = Bits != 32;
+  StringRef Register = getNormalizedGCCRegisterName(Name);
+  return Register == "r0" || Register == "r1" || Register == "r29";
+}
+
 ArrayRef<const char *> ClangTargetInfo::getGCCRegNames() const {
   static const char *const Names[] = {
       "r0",  "r1",  "r2",  "r3",  "r4",  "r5",  "r6",  "r7",  "r8",  "r9",

@@ -44,6 +44,14 @@ public:
 
   bool validateAsmConstraint(const char *&Name,
                              ConstraintInfo &Info) const override;
+  bool validateOutputSize(const llvm::StringMap<bool> &Features,
+                          llvm::StringRef Constraint,
+                          unsigned Bits) const override;
+  bool validateInputSize(const llvm::StringMap<bool> &Features,
+                         llvm::StringRef Constraint,
+                         unsigned Bits) const override;
+  bool validateGlobalRegisterVariable(llvm::StringRef Name, unsigned Bits,
+                                      bool &HasSizeMismatch) const override;
   std::string_view getClobbers() const override { return ""; }
   llvm::ArrayRef<const char *> getGCCRegNames() const override;
   llvm::ArrayRef<GCCRegAlias> getGCCRegAliases() const override;
