@@ -83,3 +83,44 @@ define void @not_tail() {
   %r = call i32 @callee(i32 1)
   ret void
 }
+define i32 @must_exchange(i32 %a, i32 %b, i32 %c, i32 %d, i32 %e, i32 %f, i32 %g, i32 %h, i32 %i, i32 %j) {
+; CHECK-LABEL: must_exchange:
+; CHECK: lw r12, 0(r29)
+; CHECK-NEXT: lw r13, 4(r29)
+; CHECK-NEXT: sw r13, 0(r29)
+; CHECK-NEXT: sw r12, 4(r29)
+; CHECK-NEXT: j must_exchange
+  %r = musttail call i32 @must_exchange(i32 %a, i32 %b, i32 %c, i32 %d, i32 %e, i32 %f, i32 %g, i32 %h, i32 %j, i32 %i)
+  ret i32 %r
+}
+define i32 @must_pass_struct(ptr byval([5 x i32]) %a, ptr byval([5 x i32]) %b) {
+; CHECK-LABEL: must_pass_struct:
+; CHECK: addi r29, r29, -24
+; CHECK-NEXT: lw r12, 16(r5)
+; CHECK-NEXT: lw r13, 12(r5)
+; CHECK-NEXT: lw r14, 8(r5)
+; CHECK-NEXT: lw r15, 4(r5)
+; CHECK-NEXT: lw r24, 0(r5)
+; CHECK-NEXT: sw r12, 20(r29)
+; CHECK-NEXT: sw r13, 16(r29)
+; CHECK-NEXT: sw r14, 12(r29)
+; CHECK-NEXT: sw r15, 8(r29)
+; CHECK-NEXT: sw r24, 4(r29)
+; CHECK-NEXT: sw r15, 4(r4)
+; CHECK-NEXT: sw r14, 8(r4)
+; CHECK-NEXT: sw r13, 12(r4)
+; CHECK-NEXT: sw r12, 16(r4)
+; CHECK-NEXT: sw r24, 0(r4)
+; CHECK-NEXT: addi r29, r29, 24
+; CHECK-NEXT: j must_pass_struct
+  %r = musttail call i32 @must_pass_struct(ptr byval([5 x i32]) %b, ptr byval([5 x i32]) %b)
+  ret i32 %r
+}
+define void @must_pass_variadic(ptr %this, ...) {
+; CHECK-LABEL: must_pass_variadic:
+; CHECK: lw r12, 0(r4)
+; CHECK-NEXT: jr r12
+  %function = load ptr, ptr %this
+  musttail call void (ptr, ...) %function(ptr %this, ...)
+  ret void
+}
