@@ -78,7 +78,7 @@ def joined_levels(arguments):
 
 
 def check_interesting(options):
-    tools = Tools(options.tools, options.parts, is_prepared=True)
+    tools = Tools(options.tools, options.parts)
     wanted = Failure(options.failure, options.level, options.mode,
                      options.signature)
     source = options.interesting
@@ -108,7 +108,8 @@ def main(arguments):
         return check_interesting(options)
     if options.cxx is None:
         options.cxx = (options.csmith + 3) // 4
-    tools = Tools(options.tools, os.path.join(options.keep, "parts"))
+    tools = Tools(options.tools, os.path.join(options.keep, "parts"),
+                  options.modes)
     campaign = Campaign(tools, options)
     campaign.run("csmith", options.csmith)
     campaign.run("cxx", options.cxx)

@@ -102,28 +102,30 @@ def native_builtins():
 
 class Tools:
     """The compilers, and the parts that every program is linked with, which
-    are compiled once, in a directory."""
+    are in a directory and compiled here for the modes given."""
 
-    def __init__(self, tools, directory, is_prepared=False):
+    def __init__(self, tools, directory, modes=()):
         self.tpcc = os.path.join(tools, "tpcc")
         self.tpsim = os.path.join(tools, "tpsim")
         self.tools = tools
         self.directory = os.path.abspath(directory)
         self.native_builtins = native_builtins()
-        if not is_prepared:
+        if modes:
             os.makedirs(self.directory, exist_ok=True)
-            self._prepare()
+            self._prepare(modes != ["whole"])
 
     def _part(self, name):
         return os.path.join(self.directory, name)
 
-    def _prepare(self):
+    def _prepare(self, needs_runtime):
         runtime = os.path.join(self.tools, "../lib/tp/runtime.bc")
         report = os.path.join(SUPPORT, "report.c")
         native = os.path.join(SUPPORT, "native.c")
+        if needs_runtime:
+            subprocess.run(
+                [self.tpcc, "-O2", "-fno-lto", "-c", "-x", "ir", runtime,
+                 "-o", self._part("tp-runtime.o")], check=True)
         for command in (
-            [self.tpcc, "-O2", "-fno-lto", "-c", "-x", "ir", runtime,
-             "-o", self._part("tp-runtime.o")],
             [self.tpcc, *COMMON, "-O2", "-fno-lto", "-c", report,
              "-o", self._part("tp-report.o")],
             ["clang-22", *NATIVE, *COMMON, "-O2", "-c", report,
