@@ -7,12 +7,14 @@
 #include "llvm-backend/clang/Driver.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/AssemblerJob.h"
+#include "llvm-backend/clang/CrashReproducer.h"
 #include "llvm-backend/clang/DriverArguments.h"
 #include "llvm-backend/clang/DriverQueries.h"
 #include "llvm-backend/clang/FloatingPointFlagWarnings.h"
 #include "llvm-backend/clang/FloatingPointReport.h"
 #include "llvm-backend/clang/FrontendJob.h"
 #include "llvm-backend/clang/JobPlan.h"
+#include "llvm-backend/clang/JobRunner.h"
 #include "llvm-backend/clang/LinkJob.h"
 #include "llvm-backend/clang/OwnOptions.h"
 #include "llvm-backend/clang/RefusedOptions.h"
@@ -27,11 +29,16 @@
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Bitcode/BitcodeWriter.h"
 #include "llvm/Option/OptTable.h"
+#include "llvm/Support/CrashRecoveryContext.h"
 #include "llvm/Support/ErrorHandling.h"
 #include "llvm/Support/FileSystem.h"
+#include "llvm/Support/PrettyStackTrace.h"
 #include "llvm/Support/Process.h"
 #include "llvm/Support/Signals.h"
 #include "llvm/Support/VirtualFileSystem.h"
+#include "llvm/Support/WithColor.h"
+
+#include <cstdlib>
 
 using namespace clang;
 using namespace clang::driver;
@@ -40,115 +47,6 @@ using namespace llvm;
 using namespace llvm::opt;
 
 namespace tp {
-
-namespace {
-
-enum class JobKind { Frontend, Assembler, Link };
-
-/// Runs the jobs of one compilation one after the other.
-class JobRunner {
-public:
-  JobRunner(Compilation &Jobs, const JobPlan &Plan, const std::string &ToolPath,
-            const Sysroot &Folders, const WarningOptions &Warnings)
-      : Jobs(Jobs), Plan(Plan), ToolPath(ToolPath),
-        Link(Jobs, Plan, Folders, Warnings) {}
-
-  bool runAll(bool Verbose);
-
-private:
-  static JobKind kindOf(const Command &Job);
-  bool dependsOnFailure(const Command &Job) const;
-  bool isTemporary(StringRef File) const;
-  bool compile(const Command &Job);
-  bool run(const Command &Job);
-
-  Compilation &Jobs;
-  const JobPlan &Plan;
-  const std::string &ToolPath;
-  LinkJob Link;
-  StringSet<> MissingOutputs;
-};
-
-} // namespace
-
-JobKind JobRunner::kindOf(const Command &Job) {
-  if (isa<LinkJobAction>(Job.getSource()))
-    return JobKind::Link;
-  return StringRef(Job.getArguments().front()) == "-cc1as" ? JobKind::Assembler
-                                                           : JobKind::Frontend;
-}
-
-bool JobRunner::dependsOnFailure(const Command &Job) const {
-  return any_of(Job.getInputInfos(), [&](const InputInfo &Input) {
-    return Input.isFilename() && MissingOutputs.contains(Input.getFilename());
-  });
-}
-
-bool JobRunner::isTemporary(StringRef File) const {
-  return is_contained(Jobs.getTempFiles(), File);
-}
-
-// What -save-temps keeps.
-static bool writeBitcode(const llvm::Module &Unit, StringRef Path,
-                         DiagnosticsEngine &Diags) {
-  std::error_code Failure;
-  raw_fd_ostream File(Path, Failure, sys::fs::OF_None);
-  if (Failure) {
-    Diags.Report(diag::err_fe_unable_to_open_output)
-        << Path << Failure.message();
-    return false;
-  }
-  WriteBitcodeToFile(Unit, File);
-  return true;
-}
-
-bool JobRunner::compile(const Command &Job) {
-  ArrayRef<const char *> Arguments(Job.getArguments());
-  Arguments = Arguments.drop_front();
-  if (!Plan.isUnit(Job))
-    return runFrontend(Arguments, ToolPath.c_str());
-  std::unique_ptr<llvm::Module> Unit =
-      compileToModule(Arguments, ToolPath.c_str(), Link.context());
-  if (!Unit)
-    return false;
-  StringRef Output = Job.getOutputFilenames().front();
-  if (!isTemporary(Output) &&
-      !writeBitcode(*Unit, Output, Jobs.getDriver().getDiags()))
-    return false;
-  Link.addUnit(Output, std::move(Unit));
-  return true;
-}
-
-bool JobRunner::run(const Command &Job) {
-  switch (kindOf(Job)) {
-  case JobKind::Frontend:
-    return compile(Job);
-  case JobKind::Assembler:
-    return runAssembler(ArrayRef(Job.getArguments()).drop_front(),
-                        Jobs.getDriver().getDiags());
-  case JobKind::Link:
-    return Link.run(Job);
-  }
-  return false;
-}
-
-bool JobRunner::runAll(bool Verbose) {
-  bool Succeeded = true;
-  for (const Command &Job : Jobs.getJobs()) {
-    if (Plan.isDropped(Job))
-      continue;
-    if (Verbose)
-      Job.Print(errs(), "\n", /*Quote=*/false);
-    if (!dependsOnFailure(Job) && run(Job))
-      continue;
-    Succeeded = false;
-    for (const std::string &Output : Job.getOutputFilenames())
-      MissingOutputs.insert(Output);
-    const auto *Action = cast<JobAction>(&Job.getSource());
-    Jobs.CleanupFileMap(Jobs.getResultFiles(), Action, /*IssueErrors=*/true);
-  }
-  return Succeeded;
-}
 
 static bool isWholeProgram(const ArgList &UserArguments) {
   return UserArguments.hasFlag(OPT_flto, OPT_flto_EQ, OPT_fno_lto, true);
@@ -269,7 +167,38 @@ static int printFloatingPoint(const FloatingPointResolver &Resolver,
 [[noreturn]] static void exitOnFatalError(void *, const char *Message, bool) {
   errs() << "tpcc: error: " << Message << '\n';
   sys::RunInterruptHandlers();
+  if (CrashRecoveryContext *Guard = CrashRecoveryContext::GetCurrent()) {
+    Guard->DumpStackAndCleanupOnFailure = false;
+    Guard->HandleExit(JobRunner::FatalErrorStatus);
+  }
   sys::Process::Exit(1);
+}
+
+// \returns the exit status.
+static int runJobs(Compilation &Jobs, const JobPlan &Plan,
+                   const ArgList &UserArguments,
+                   ArrayRef<CommandLineOption> Given,
+                   const WarningOptions &Warnings,
+                   const std::string &ToolPath) {
+  using Outcome = JobRunner::Outcome;
+  const Sysroot Folders(ToolPath);
+  const ReproducerLevel Level = reproducerLevel(UserArguments);
+  JobRunner Runner(Jobs, Plan, ToolPath, Folders, Warnings);
+  const Outcome Result = Runner.runAll(UserArguments.hasArg(OPT_v));
+  Jobs.CleanupFileList(Jobs.getTempFiles());
+  if (Level == ReproducerLevel::Always)
+    Jobs.getDriver().getDiags().Report(diag::err_drv_force_crash)
+        << /*is -gen-reproducer*/ 1;
+  if (Level == ReproducerLevel::Always ||
+      (Level == ReproducerLevel::Error && Result != Outcome::Succeeded) ||
+      (Level != ReproducerLevel::Off && Result == Outcome::Crashed &&
+       Runner.crashStatus() != JobRunner::FatalErrorStatus))
+    writeReproducer(Jobs, Given, ToolPath);
+  // What a crash has left is not worth taking apart.
+  if (Result == Outcome::Crashed)
+    sys::Process::Exit(Runner.crashStatus(), /*NoCleanup=*/true);
+  return Result == Outcome::Failed ||
+         Jobs.getDriver().getDiags().hasErrorOccurred();
 }
 
 // Does what the translated command line says; \p Given is the user's own.
@@ -317,24 +246,46 @@ static int compileAndLink(TranslatedCommandLine &Translated,
   const JobPlan Plan(*Jobs, isWholeProgram(UserArguments));
   completeJobs(*Jobs, Plan, UserArguments, Translated.WarningWords, Folders,
                ToolPath);
-  bool Succeeded = true;
   if (DryRun) {
     if (auto Settings = Resolver.resolve(Given))
       printFloatingPointComment(errs(), *Settings);
     printJobs(*Jobs, Plan);
-  } else if (UserArguments.hasArg(OPT_fdriver_only)) {
+    Jobs->CleanupFileList(Jobs->getTempFiles());
+    return Diags.hasErrorOccurred();
+  }
+  if (UserArguments.hasArg(OPT_fdriver_only)) {
     if (Verbose)
       printJobs(*Jobs, Plan);
-  } else {
-    Succeeded = JobRunner(*Jobs, Plan, ToolPath, Folders, Translated.Warnings)
-                    .runAll(Verbose);
+    Jobs->CleanupFileList(Jobs->getTempFiles());
+    return Diags.hasErrorOccurred();
   }
-  Jobs->CleanupFileList(Jobs->getTempFiles());
-  return !Succeeded || Diags.hasErrorOccurred();
+  return runJobs(*Jobs, Plan, UserArguments, Given, Translated.Warnings,
+                 ToolPath);
+}
+
+// The environment's edits of the command line.
+static void applyOverrides(SmallVectorImpl<const char *> &Arguments,
+                           StringSet<> &EditedWords) {
+  static constexpr char Variable[] = "CCC_OVERRIDE_OPTIONS";
+  const char *Edits = ::getenv(Variable);
+  if (!Edits)
+    return;
+  Arguments.insert(Arguments.begin(), "tpcc");
+  applyOverrideOptions(Arguments, Edits, EditedWords, Variable, &errs());
+  Arguments.erase(Arguments.begin());
+}
+
+// The linker's messages and the driver's own are colored like clang's.
+static void setColors(const DiagnosticOptions &Options) {
+  static bool AreOn;
+  AreOn = Options.ShowColors;
+  errs().enable_colors(AreOn);
+  WithColor::setAutoDetectFunction([](const raw_ostream &) { return AreOn; });
 }
 
 int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
   ScopedFatalErrorHandler FatalErrors(exitOnFatalError);
+  setBugReportMsg("This is a bug of tpcc.\n");
   SmallVector<const char *, 64> Arguments(CommandLine.drop_front());
   BumpPtrAllocator Strings;
   if (Error Failure =
@@ -349,11 +300,15 @@ int runDriver(ArrayRef<const char *> CommandLine, void *MainAddress) {
     return runInternalTool(Arguments, ToolPath, Diags.Engine);
   }
 
+  StringSet<> EditedWords;
+  applyOverrides(Arguments, EditedWords);
+  CrashRecoveryContext::Enable();
   std::vector<CommandLineOption> Given = splitCommandLine(Arguments);
   Expected<TranslatedCommandLine> Translated = translateOwnOptions(Arguments);
   if (!Translated)
     return reportFailure(Translated.takeError());
   DriverDiagnostics Diags(ToolPath, Translated->Words);
+  setColors(*Diags.Options);
   return compileAndLink(*Translated, Given, ToolPath, Diags.Engine);
 }
 

@@ -76,6 +76,17 @@ createInstance(ArrayRef<const char *> Arguments, const char *ToolPath,
     Instance->getDiagnosticClient().finish();
     return nullptr;
   }
+  for (const FrontendInputFile &Input : Instance->getFrontendOpts().Inputs)
+    if (Input.getKind().getFormat() == InputKind::Precompiled) {
+      DiagnosticsEngine &Diags = Instance->getDiagnostics();
+      Diags.Report(
+          Diags.getCustomDiagID(DiagnosticsEngine::Error,
+                                "'%0' is a syntax tree, which tpcc does not "
+                                "compile; give it the source"))
+          << Input.getFile();
+      Instance->getDiagnosticClient().finish();
+      return nullptr;
+    }
   Instance->createFileManager();
   return Instance;
 }
