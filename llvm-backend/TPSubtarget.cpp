@@ -10,6 +10,7 @@
 #include "llvm/CodeGen/LibcallLoweringInfo.h"
 #include "llvm/CodeGen/MachineInstr.h"
 #include "llvm/CodeGen/MachineMemOperand.h"
+#include "llvm/CodeGen/MachineScheduler.h"
 #include "llvm/CodeGen/PseudoSourceValue.h"
 #include "llvm/CodeGen/ScheduleDAG.h"
 #include "llvm/IR/GlobalVariable.h"
@@ -52,6 +53,13 @@ void TPSubtarget::initLibcallLoweringInfo(LibcallLoweringInfo &Info) const {
   // The runtime's fmin and fmax prefer numbers and order zeros.
   Info.setLibcallImpl(RTLIB::FMINIMUM_NUM_F64, RTLIB::impl_fmin);
   Info.setLibcallImpl(RTLIB::FMAXIMUM_NUM_F64, RTLIB::impl_fmax);
+}
+
+void TPSubtarget::overrideSchedPolicy(MachineSchedPolicy &Policy,
+                                      const SchedRegion &) const {
+  // From the top loads start early, from the bottom few values live at once:
+  // the scheduler decides for each instruction.
+  Policy.OnlyTopDown = Policy.OnlyBottomUp = false;
 }
 
 /// Whether a memory operand is surely in the local store.

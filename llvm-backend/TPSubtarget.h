@@ -56,6 +56,8 @@ public:
   void initLibcallLoweringInfo(LibcallLoweringInfo &Info) const override;
 
   bool enableMachineScheduler() const override { return true; }
+  void overrideSchedPolicy(MachineSchedPolicy &Policy,
+                           const SchedRegion &Region) const override;
   bool useAA() const override { return true; }
   void adjustSchedDependency(SUnit *Def, int DefOpIdx, SUnit *Use, int UseOpIdx,
                              SDep &Dep,
