@@ -22,8 +22,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "kernels/pathtracer/PathTracer.cpp"
 BUILTINS = ROOT / "llvm-backend/TPBuiltins.def"
-C_TYPES = {"v": "void", "i": "int", "Ui": "unsigned", "IUi": "unsigned",
-           "f": "float", "Ui*": "unsigned *"}
+# Declares them as functions.
+DECLARATIONS = ROOT / "llvm-backend/clang/clangd/builtin_declarations.py"
 RISCV = ["--target=riscv32-unknown-elf", "-march=rv32imf_zba_zbb",
          "-mabi=ilp32f", "-std=gnu++20", "-fno-exceptions",
          "-fno-rtti", "-ffp-contract=off", "-fno-math-errno",
@@ -48,21 +48,6 @@ def seconds(command):
             after.children_system - before.children_system)
 
 
-def declarations():
-    """The TP's builtins as functions, for a compiler that has none of them."""
-    pattern = r'^TP_BUILTIN\((\w+), "([^"]*)", "([^"]*)"'
-    text = BUILTINS.read_text(encoding="utf-8")
-    lines = []
-    for name, types, attributes in re.findall(pattern, text, re.MULTILINE):
-        result, *parameters = (
-            C_TYPES[t] for t in re.findall(r"I?U?[ifv]\*?", types))
-        kinds = [kind for letter, kind in (("c", "const"), ("r", "noreturn"))
-                 if letter in attributes]
-        lines.append(f'extern "C" __attribute__(({", ".join(kinds)})) {result} '
-                     f'__builtin_tp_{name}({", ".join(parameters)});\n')
-    return "".join(lines)
-
-
 def sysroot_headers(tpcc):
     """-isystem for each folder that tpcc searches, clang's own excepted."""
     plan = run([tpcc, "-###", "-c", SOURCE, "-o", os.devnull]).stderr
@@ -74,7 +59,7 @@ def sysroot_headers(tpcc):
 class Comparison:
     def __init__(self, tpcc, clang, lld, folder):
         builtins = folder / "builtins.h"
-        builtins.write_text(declarations(), encoding="utf-8")
+        run([sys.executable, DECLARATIONS, BUILTINS, builtins])
         self.tpcc = [tpcc, "-O3", "-I", ROOT, SOURCE]
         self.clang = [clang, "-O3", "-I", ROOT, SOURCE, *RISCV, "-nostdinc++",
                       "-include", builtins, *sysroot_headers(tpcc)]

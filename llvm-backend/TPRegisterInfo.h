@@ -26,6 +26,9 @@ public:
   BitVector getReservedRegs(const MachineFunction &MF) const override;
   Register getFrameRegister(const MachineFunction &MF) const override;
   bool canRealignStack(const MachineFunction &MF) const override;
+  /// Values of one block get registers from its end to its begin: the kernels
+  /// then spill less.
+  bool reverseLocalAssignment() const override { return true; }
   float getSpillWeightScaleFactor(const TargetRegisterClass *RC) const override;
 
   /// The register that addresses the locals of a function whose stack is both
