@@ -37,7 +37,7 @@ COMPARED = {"fast": "stock", "fast-inf": "stock-inf", "reproducible": "stock-inf
 VARIANTS = [
     ["-O3"],
     ["-Os"],
-    ["-O3", "-mllvm", "-greedy-reverse-local-assignment"],
+    ["-O3", "-mllvm", "-greedy-reverse-local-assignment=0"],
     ["-O3", "-mllvm", "-enable-misched=0"],
     ["-O3", "-mllvm", "-regalloc=basic"],
 ]

@@ -149,13 +149,13 @@ define i32 @population(i32 %a) {
 ; CHECK-NEXT: srl r12, r4, 1
 ; CHECK-NEXT: ori r13, r13, 21845
 ; CHECK-NEXT: and r12, r12, r13
-; CHECK-NEXT: lui r13, 13107
-; CHECK-NEXT: sub r12, r4, r12
-; CHECK-NEXT: ori r13, r13, 13107
-; CHECK-NEXT: and r14, r12, r13
-; CHECK-NEXT: srl r12, r12, 2
-; CHECK-NEXT: and r12, r12, r13
-; CHECK-NEXT: add r12, r14, r12
+; CHECK-NEXT: sub r14, r4, r12
+; CHECK-NEXT: lui r12, 13107
+; CHECK-NEXT: ori r13, r12, 13107
+; CHECK-NEXT: and r12, r14, r13
+; CHECK-NEXT: srl r14, r14, 2
+; CHECK-NEXT: and r13, r14, r13
+; CHECK-NEXT: add r12, r12, r13
 ; CHECK-NEXT: srl r13, r12, 4
 ; CHECK-NEXT: add r12, r12, r13
 ; CHECK-NEXT: lui r13, 3855
@@ -198,11 +198,11 @@ define i32 @sign_extend(i32 %a) {
 define i32 @minimum(i32 %a, i32 %b) {
 ; CHECK-LABEL: minimum:
 ; CHECK: move r2, r5
-; CHECK-NEXT: slt r12, r4, r2
-; CHECK-NEXT: move r13, r2
-; CHECK-NEXT: movn r13, r4, r12
-; CHECK-NEXT: sltu r12, r2, r13
-; CHECK-NEXT: movn r2, r13, r12
+; CHECK-NEXT: slt r13, r4, r2
+; CHECK-NEXT: move r12, r2
+; CHECK-NEXT: movn r12, r4, r13
+; CHECK-NEXT: sltu r13, r2, r12
+; CHECK-NEXT: movn r2, r12, r13
 ; CHECK-NEXT: ret
   %c = call i32 @llvm.smin.i32(i32 %a, i32 %b)
   %d = call i32 @llvm.umax.i32(i32 %c, i32 %b)

@@ -56,11 +56,11 @@ define float @fadd(ptr %p, float %v) {
 ; CHECK-NEXT: .LBB4_1:
 ; CHECK: add_s f12, f0, f4
 ; CHECK-NEXT: mfc1 r12, f0
-; CHECK-NEXT: mfc1 r13, f12
-; CHECK-NEXT: move r14, r12
-; CHECK-NEXT: atom_cas r14, r13, (r4)
-; CHECK-NEXT: mtc1 f0, r14
-; CHECK-NEXT: bne r14, r12, .LBB4_1
+; CHECK-NEXT: mfc1 r14, f12
+; CHECK-NEXT: move r13, r12
+; CHECK-NEXT: atom_cas r13, r14, (r4)
+; CHECK-NEXT: mtc1 f0, r13
+; CHECK-NEXT: bne r13, r12, .LBB4_1
 ; CHECK: ret
   %r = atomicrmw fadd ptr %p, float %v monotonic
   ret float %r

@@ -46,11 +46,11 @@ define float @math(float %x) {
 define i32 @conversions(float %x) {
 ; CHECK-LABEL: conversions:
 ; CHECK: trunc_w_s r12, f4
-; CHECK-NEXT: round_w_s r13, f4
-; CHECK-NEXT: floor_w_s r14, f4
-; CHECK-NEXT: ceil_w_s r15, f4
-; CHECK-NEXT: add r12, r12, r13
-; CHECK-NEXT: add r13, r14, r15
+; CHECK-NEXT: round_w_s r15, f4
+; CHECK-NEXT: floor_w_s r13, f4
+; CHECK-NEXT: ceil_w_s r14, f4
+; CHECK-NEXT: add r12, r12, r15
+; CHECK-NEXT: add r13, r13, r14
 ; CHECK-NEXT: add r2, r12, r13
 ; CHECK-NEXT: ret
   %a = call i32 @tp_trunc_w(float %x)
@@ -64,19 +64,19 @@ define i32 @conversions(float %x) {
 }
 define i32 @identity() {
 ; CHECK-LABEL: identity:
-; CHECK: mfsr r12, thread
-; CHECK-NEXT: mfsr r13, tp
-; CHECK-NEXT: mfsr r14, tm
-; CHECK-NEXT: xor r12, r12, r13
+; CHECK: mfsr r25, thread
+; CHECK-NEXT: mfsr r26, tp
+; CHECK-NEXT: mfsr r24, tm
+; CHECK-NEXT: xor r25, r25, r26
 ; CHECK-NEXT: mfsr r15, nthread
-; CHECK-NEXT: xor r12, r12, r14
-; CHECK-NEXT: mfsr r24, ntp
-; CHECK-NEXT: xor r12, r12, r15
-; CHECK-NEXT: mfsr r25, ntm
-; CHECK-NEXT: xor r12, r12, r24
-; CHECK-NEXT: mfsr r26, lssize
-; CHECK-NEXT: xor r12, r12, r25
-; CHECK-NEXT: xor r2, r12, r26
+; CHECK-NEXT: xor r24, r25, r24
+; CHECK-NEXT: mfsr r14, ntp
+; CHECK-NEXT: xor r15, r24, r15
+; CHECK-NEXT: mfsr r13, ntm
+; CHECK-NEXT: xor r14, r15, r14
+; CHECK-NEXT: mfsr r12, lssize
+; CHECK-NEXT: xor r13, r14, r13
+; CHECK-NEXT: xor r2, r13, r12
 ; CHECK-NEXT: ret
   %a = call i32 @tp_thread_id()
   %b = call i32 @tp_tp_id()
@@ -109,11 +109,11 @@ define i32 @elapsed() {
 }
 define i32 @counters() {
 ; CHECK-LABEL: counters:
-; CHECK: mfsr r12, cycleh
-; CHECK-NEXT: mfsr r13, instret
-; CHECK-NEXT: mfsr r14, instreth
-; CHECK-NEXT: add r12, r12, r13
-; CHECK-NEXT: add r2, r12, r14
+; CHECK: mfsr r13, cycleh
+; CHECK-NEXT: mfsr r14, instret
+; CHECK-NEXT: mfsr r12, instreth
+; CHECK-NEXT: add r13, r13, r14
+; CHECK-NEXT: add r2, r13, r12
 ; CHECK-NEXT: ret
   %a = call i32 @tp_cycle_high()
   %b = call i32 @tp_instret()
@@ -159,9 +159,9 @@ define void @breaking() {
 }
 define i32 @host(i32 %a, i32 %b, i32 %c) {
 ; CHECK-LABEL: host:
-; CHECK: move r12, r4
-; CHECK-NEXT: move r4, r6
-; CHECK-NEXT: move r6, r12
+; CHECK: move r12, r6
+; CHECK-NEXT: move r6, r4
+; CHECK-NEXT: move r4, r12
 ; CHECK-NEXT: hostcall 0
 ; CHECK-NEXT: ret
   %r = call i32 @tp_hostcall(i32 0, i32 %c, i32 %b, i32 %a)

@@ -12,23 +12,23 @@ define void @pass_small(ptr %p) {
 ; CHECK-NEXT: sw r31, 20(r29)
 ; CHECK-NEXT: sw r16, 16(r29)
 ; CHECK-NEXT: move r16, r4
-; CHECK-NEXT: lw r12, 8(r16)
+; CHECK-NEXT: lw r14, 8(r16)
 ; CHECK-NEXT: lw r13, 4(r16)
-; CHECK-NEXT: lw r14, 0(r16)
+; CHECK-NEXT: lw r12, 0(r16)
 ; CHECK-NEXT: addi r4, r29, 4
 ; CHECK-NEXT: addi r5, r0, 7
-; CHECK-NEXT: sw r12, 12(r29)
+; CHECK-NEXT: sw r14, 12(r29)
 ; CHECK-NEXT: sw r13, 8(r29)
-; CHECK-NEXT: sw r14, 4(r29)
+; CHECK-NEXT: sw r12, 4(r29)
 ; CHECK-NEXT: jal take_small
-; CHECK-NEXT: lw r12, 8(r16)
+; CHECK-NEXT: lw r14, 8(r16)
 ; CHECK-NEXT: lw r13, 4(r16)
-; CHECK-NEXT: lw r14, 0(r16)
+; CHECK-NEXT: lw r12, 0(r16)
 ; CHECK-NEXT: addi r4, r29, 4
 ; CHECK-NEXT: addi r5, r0, 8
-; CHECK-NEXT: sw r12, 12(r29)
+; CHECK-NEXT: sw r14, 12(r29)
 ; CHECK-NEXT: sw r13, 8(r29)
-; CHECK-NEXT: sw r14, 4(r29)
+; CHECK-NEXT: sw r12, 4(r29)
 ; CHECK-NEXT: jal take_small
 ; CHECK-NEXT: lw r16, 16(r29)
 ; CHECK-NEXT: lw r31, 20(r29)
@@ -48,14 +48,14 @@ define void @pass_large(ptr %p, ptr %q) {
 ; CHECK-NEXT: addi r4, r29, 16
 ; CHECK-NEXT: addi r6, r0, 256
 ; CHECK-NEXT: jal memcpy
-; CHECK-NEXT: lw r12, 0(r16)
+; CHECK-NEXT: lw r14, 0(r16)
 ; CHECK-NEXT: lw r13, 4(r16)
-; CHECK-NEXT: lw r14, 8(r16)
+; CHECK-NEXT: lw r12, 8(r16)
 ; CHECK-NEXT: addi r4, r29, 16
 ; CHECK-NEXT: addi r5, r29, 4
-; CHECK-NEXT: sw r12, 4(r29)
+; CHECK-NEXT: sw r14, 4(r29)
 ; CHECK-NEXT: sw r13, 8(r29)
-; CHECK-NEXT: sw r14, 12(r29)
+; CHECK-NEXT: sw r12, 12(r29)
 ; CHECK-NEXT: jal take_large
 ; CHECK-NEXT: lw r16, 272(r29)
 ; CHECK-NEXT: lw r31, 276(r29)
@@ -79,14 +79,14 @@ define void @forward(ptr byval(%struct.small) align 4 %s) {
 ; CHECK-LABEL: forward:
 ; CHECK: addi r29, r29, -16
 ; CHECK-NEXT: sw r31, 12(r29)
-; CHECK-NEXT: lw r12, 8(r4)
+; CHECK-NEXT: lw r14, 8(r4)
 ; CHECK-NEXT: lw r13, 4(r4)
-; CHECK-NEXT: lw r14, 0(r4)
+; CHECK-NEXT: lw r12, 0(r4)
 ; CHECK-NEXT: move r4, r29
 ; CHECK-NEXT: addi r5, r0, 7
-; CHECK-NEXT: sw r12, 8(r29)
+; CHECK-NEXT: sw r14, 8(r29)
 ; CHECK-NEXT: sw r13, 4(r29)
-; CHECK-NEXT: sw r14, 0(r29)
+; CHECK-NEXT: sw r12, 0(r29)
 ; CHECK-NEXT: jal take_small
 ; CHECK-NEXT: lw r31, 12(r29)
 ; CHECK-NEXT: addi r29, r29, 16

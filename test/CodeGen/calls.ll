@@ -126,9 +126,9 @@ define i32 @call_narrow(i32 %x) {
 ; CHECK-LABEL: call_narrow:
 ; CHECK: addi r29, r29, -8
 ; CHECK-NEXT: sw r31, 4(r29)
-; CHECK-NEXT: seb r12, r4
-; CHECK-NEXT: andi r5, r4, 65535
-; CHECK-NEXT: move r4, r12
+; CHECK-NEXT: move r12, r4
+; CHECK-NEXT: seb r4, r12
+; CHECK-NEXT: andi r5, r12, 65535
 ; CHECK-NEXT: jal narrow_callee
 ; CHECK-NEXT: lw r31, 4(r29)
 ; CHECK-NEXT: addi r2, r2, 1

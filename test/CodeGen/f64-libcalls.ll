@@ -57,19 +57,19 @@ define i1 @unordered_equal(double %a, double %b) {
 ; CHECK-NEXT: sw r18, 8(r29)
 ; CHECK-NEXT: sw r19, 4(r29)
 ; CHECK-NEXT: sw r20, 0(r29)
-; CHECK-NEXT: move r16, r7
-; CHECK-NEXT: move r17, r6
-; CHECK-NEXT: move r18, r5
-; CHECK-NEXT: move r19, r4
+; CHECK-NEXT: move r17, r7
+; CHECK-NEXT: move r18, r6
+; CHECK-NEXT: move r19, r5
+; CHECK-NEXT: move r20, r4
 ; CHECK-NEXT: jal __unorddf2
-; CHECK-NEXT: move r4, r19
-; CHECK-NEXT: move r5, r18
-; CHECK-NEXT: move r6, r17
-; CHECK-NEXT: move r7, r16
-; CHECK-NEXT: move r20, r2
+; CHECK-NEXT: move r4, r20
+; CHECK-NEXT: move r5, r19
+; CHECK-NEXT: move r6, r18
+; CHECK-NEXT: move r7, r17
+; CHECK-NEXT: move r16, r2
 ; CHECK-NEXT: jal __eqdf2
 ; CHECK-NEXT: sltiu r12, r2, 1
-; CHECK-NEXT: or r2, r20, r12
+; CHECK-NEXT: or r2, r16, r12
 ; CHECK-NEXT: lw r20, 0(r29)
 ; CHECK-NEXT: lw r19, 4(r29)
 ; CHECK-NEXT: lw r18, 8(r29)

@@ -62,10 +62,10 @@ define float @sign(float %a, float %b) {
 }
 define float @copysign(float %a, float %b) {
 ; CHECK-LABEL: copysign:
-; CHECK: mfc1 r12, f4
-; CHECK-NEXT: mfc1 r13, f5
-; CHECK-NEXT: ins r13, r12, 0, 30
-; CHECK-NEXT: mtc1 f0, r13
+; CHECK: mfc1 r13, f4
+; CHECK-NEXT: mfc1 r12, f5
+; CHECK-NEXT: ins r12, r13, 0, 30
+; CHECK-NEXT: mtc1 f0, r12
 ; CHECK-NEXT: ret
   %c = call float @llvm.copysign.f32(float %a, float %b)
   ret float %c
@@ -102,17 +102,17 @@ define float @extremes(float %a, float %b) {
 define float @minimum(float %a, float %b) {
 ; CHECK-LABEL: minimum:
 ; CHECK: lui r15, 32704
-; CHECK-NEXT: c_un_s r14, f4, f5
+; CHECK-NEXT: c_un_s r13, f4, f5
 ; CHECK-NEXT: min_s f0, f4, f5
 ; CHECK-NEXT: mtc1 f12, r15
-; CHECK-NEXT: mfc1 r13, f4
-; CHECK-NEXT: movn_s f0, f12, r14
-; CHECK-NEXT: lui r14, 32768
+; CHECK-NEXT: mfc1 r14, f4
+; CHECK-NEXT: movn_s f0, f12, r13
+; CHECK-NEXT: lui r13, 32768
 ; CHECK-NEXT: mfc1 r12, f5
-; CHECK-NEXT: xor r13, r13, r14
+; CHECK-NEXT: xor r14, r14, r13
 ; CHECK-NEXT: mov_s f12, f0
-; CHECK-NEXT: movz_s f12, f4, r13
-; CHECK-NEXT: xor r12, r12, r14
+; CHECK-NEXT: movz_s f12, f4, r14
+; CHECK-NEXT: xor r12, r12, r13
 ; CHECK-NEXT: mtc1 f13, r0
 ; CHECK-NEXT: movz_s f12, f5, r12
 ; CHECK-NEXT: c_eq_s r12, f0, f13
@@ -123,13 +123,13 @@ define float @minimum(float %a, float %b) {
 }
 define i32 @to_int(float %a) {
 ; CHECK-LABEL: to_int:
-; CHECK: trunc_w_s r12, f4
+; CHECK: trunc_w_s r14, f4
 ; CHECK-NEXT: trunc_wu_s r13, f4
-; CHECK-NEXT: xor r15, r12, r13
-; CHECK-NEXT: xor r12, r15, r12
-; CHECK-NEXT: round_w_s r14, f4
-; CHECK-NEXT: xor r12, r12, r13
-; CHECK-NEXT: xor r2, r12, r14
+; CHECK-NEXT: xor r15, r14, r13
+; CHECK-NEXT: xor r14, r15, r14
+; CHECK-NEXT: round_w_s r12, f4
+; CHECK-NEXT: xor r13, r14, r13
+; CHECK-NEXT: xor r2, r13, r12
 ; CHECK-NEXT: ret
   %b = fptosi float %a to i32
   %c = fptoui float %a to i32
@@ -188,17 +188,17 @@ define float @library(float %a, float %b) {
 ; CHECK-NEXT: sw r31, 12(r29)
 ; CHECK-NEXT: swc1 f20, 8(r29)
 ; CHECK-NEXT: swc1 f21, 4(r29)
-; CHECK-NEXT: mov_s f20, f5
-; CHECK-NEXT: mov_s f21, f4
+; CHECK-NEXT: mov_s f21, f5
+; CHECK-NEXT: mov_s f20, f4
 ; CHECK-NEXT: jal fmodf
 ; CHECK-NEXT: mov_s f4, f0
 ; CHECK-NEXT: jal sinf
 ; CHECK-NEXT: mov_s f4, f0
-; CHECK-NEXT: mov_s f5, f20
+; CHECK-NEXT: mov_s f5, f21
 ; CHECK-NEXT: jal powf
 ; CHECK-NEXT: mov_s f4, f0
 ; CHECK-NEXT: jal roundf
-; CHECK-NEXT: add_s f0, f0, f21
+; CHECK-NEXT: add_s f0, f0, f20
 ; CHECK-NEXT: lwc1 f21, 4(r29)
 ; CHECK-NEXT: lwc1 f20, 8(r29)
 ; CHECK-NEXT: lw r31, 12(r29)

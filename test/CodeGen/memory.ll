@@ -20,12 +20,12 @@ define i32 @offsets(ptr %p) {
 define i32 @indexed(ptr %p, i32 %i) {
 ; CHECK-LABEL: indexed:
 ; CHECK: sll r12, r5, 2
-; CHECK-NEXT: sll r13, r5, 1
-; CHECK-NEXT: lwx r12, r12(r4)
-; CHECK-NEXT: lhx r13, r13(r4)
-; CHECK-NEXT: lbux r14, r5(r4)
-; CHECK-NEXT: add r12, r12, r13
-; CHECK-NEXT: add r2, r12, r14
+; CHECK-NEXT: lwx r13, r12(r4)
+; CHECK-NEXT: sll r12, r5, 1
+; CHECK-NEXT: lhx r14, r12(r4)
+; CHECK-NEXT: lbux r12, r5(r4)
+; CHECK-NEXT: add r13, r13, r14
+; CHECK-NEXT: add r2, r13, r12
 ; CHECK-NEXT: ret
   %q = getelementptr i32, ptr %p, i32 %i
   %a = load i32, ptr %q
@@ -68,10 +68,10 @@ define ptr @global_address() {
 }
 define i32 @unaligned(ptr %p) {
 ; CHECK-LABEL: unaligned:
-; CHECK: lhu r12, 2(r4)
-; CHECK-NEXT: lhu r13, 0(r4)
-; CHECK-NEXT: sll r12, r12, 16
-; CHECK-NEXT: or r2, r12, r13
+; CHECK: lhu r13, 2(r4)
+; CHECK-NEXT: lhu r12, 0(r4)
+; CHECK-NEXT: sll r13, r13, 16
+; CHECK-NEXT: or r2, r13, r12
 ; CHECK-NEXT: ret
   %v = load i32, ptr %p, align 2
   ret i32 %v

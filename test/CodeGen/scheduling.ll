@@ -4,11 +4,11 @@
 ; A global load starts before independent work; its user comes last.
 define i32 @hoist(ptr %p, i32 %a, i32 %b) {
 ; CHECK-LABEL: hoist:
-; CHECK: lw r12, 0(r4)
-; CHECK-NEXT: mul r13, r5, r6
-; CHECK-NEXT: add r13, r13, r5
-; CHECK-NEXT: mul r13, r13, r6
-; CHECK-NEXT: add r2, r12, r13
+; CHECK: lw r13, 0(r4)
+; CHECK-NEXT: mul r12, r5, r6
+; CHECK-NEXT: add r12, r12, r5
+; CHECK-NEXT: mul r12, r12, r6
+; CHECK-NEXT: add r2, r13, r12
 ; CHECK-NEXT: ret
   %c = mul i32 %a, %b
   %d = add i32 %c, %a
@@ -33,22 +33,22 @@ define float @two_loads(ptr %p, ptr %q, float %x) {
 }
 define void @copy(ptr noalias %p, ptr noalias %q) {
 ; CHECK-LABEL: copy:
-; CHECK: lw r12, 0(r5)
-; CHECK-NEXT: lw r13, 4(r5)
-; CHECK-NEXT: lw r14, 8(r5)
-; CHECK-NEXT: lw r15, 12(r5)
-; CHECK-NEXT: lw r24, 16(r5)
-; CHECK-NEXT: lw r25, 20(r5)
-; CHECK-NEXT: lw r26, 24(r5)
-; CHECK-NEXT: lw r27, 28(r5)
-; CHECK-NEXT: sw r12, 0(r4)
-; CHECK-NEXT: sw r13, 4(r4)
-; CHECK-NEXT: sw r14, 8(r4)
-; CHECK-NEXT: sw r15, 12(r4)
-; CHECK-NEXT: sw r24, 16(r4)
-; CHECK-NEXT: sw r25, 20(r4)
-; CHECK-NEXT: sw r26, 24(r4)
-; CHECK-NEXT: sw r27, 28(r4)
+; CHECK: lw r27, 0(r5)
+; CHECK-NEXT: lw r26, 4(r5)
+; CHECK-NEXT: lw r25, 8(r5)
+; CHECK-NEXT: lw r24, 12(r5)
+; CHECK-NEXT: lw r15, 16(r5)
+; CHECK-NEXT: lw r14, 20(r5)
+; CHECK-NEXT: lw r13, 24(r5)
+; CHECK-NEXT: lw r12, 28(r5)
+; CHECK-NEXT: sw r27, 0(r4)
+; CHECK-NEXT: sw r26, 4(r4)
+; CHECK-NEXT: sw r25, 8(r4)
+; CHECK-NEXT: sw r24, 12(r4)
+; CHECK-NEXT: sw r15, 16(r4)
+; CHECK-NEXT: sw r14, 20(r4)
+; CHECK-NEXT: sw r13, 24(r4)
+; CHECK-NEXT: sw r12, 28(r4)
 ; CHECK-NEXT: ret
   call void @llvm.memcpy.p0.p0.i32(ptr align 4 %p, ptr align 4 %q, i32 32, i1 false)
   ret void
@@ -56,9 +56,9 @@ define void @copy(ptr noalias %p, ptr noalias %q) {
 ; A division does not keep loads from moving over it.
 define i32 @over_division(ptr %p, i32 %a, i32 %b) {
 ; CHECK-LABEL: over_division:
-; CHECK: lw r12, 0(r4)
-; CHECK-NEXT: div r13, r5, r6
-; CHECK-NEXT: add r12, r12, r13
+; CHECK: lw r13, 0(r4)
+; CHECK-NEXT: div r12, r5, r6
+; CHECK-NEXT: add r12, r13, r12
 ; CHECK-NEXT: addi r2, r12, 1
 ; CHECK-NEXT: ret
   %d = sdiv i32 %a, %b
