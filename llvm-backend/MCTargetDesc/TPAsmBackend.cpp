@@ -8,9 +8,11 @@
 #include "llvm-backend/MCTargetDesc/TPFixupKinds.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
 #include "llvm/ADT/StringSwitch.h"
+#include "llvm/BinaryFormat/ELF.h"
 #include "llvm/MC/MCAsmBackend.h"
 #include "llvm/MC/MCContext.h"
 #include "llvm/MC/MCELFObjectWriter.h"
+#include "llvm/MC/MCSectionELF.h"
 #include "llvm/Support/EndianStream.h"
 #include "llvm/Support/MathExtras.h"
 
@@ -122,13 +124,25 @@ uint64_t TPAsmBackend::encode(const MCFixup &Fixup, uint64_t Value) const {
   }
 }
 
+static bool isLoaded(const MCFragment &Fragment) {
+  const auto *Section = static_cast<const MCSectionELF *>(Fragment.getParent());
+  return Section->getFlags() & ELF::SHF_ALLOC;
+}
+
 void TPAsmBackend::applyFixup(const MCFragment &Fragment, const MCFixup &Fixup,
                               const MCValue &Target, uint8_t *Data,
                               uint64_t Value, bool IsResolved) {
+  const uint64_t Unrelocated = Value;
   maybeAddReloc(Fragment, Fixup, Target, Value, IsResolved);
-  // Addends stand in the relocation.
-  if (!IsResolved || mc::isRelocation(Fixup.getKind()))
+  if (mc::isRelocation(Fixup.getKind()))
     return;
+  if (!IsResolved) {
+    // Addends stand in the relocation. Tools that do not know the TP's
+    // relocations can read debug data all the same.
+    if (isLoaded(Fragment) || Fixup.getKind() >= FirstTargetFixupKind)
+      return;
+    Value = Unrelocated;
+  }
   Value = encode(Fixup, Value);
   for (unsigned Byte = 0, Size = sizeOf(Fixup.getKind()); Byte != Size; ++Byte)
     Data[Byte] |= uint8_t(Value >> (8 * Byte));

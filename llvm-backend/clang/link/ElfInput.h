@@ -133,6 +133,7 @@ private:
   llvm::Error readAll(const File &Elf, SymbolTable &Globals,
                       llvm::StringSet<> &ComdatGroups, LinkDiagnostics &Diags);
   llvm::Error readSections(const File &Elf, llvm::StringSet<> &ComdatGroups);
+  llvm::Error decompress(InputSection &Section);
   llvm::Error readGroup(const File &Elf, const ElfType::Shdr &Header,
                         llvm::StringSet<> &ComdatGroups,
                         std::vector<bool> &Dropped);
@@ -144,6 +145,8 @@ private:
   std::vector<std::unique_ptr<InputSection>> Sections;
   std::vector<Symbol *> Symbols;
   std::deque<Symbol> Locals;
+  /// The bytes of sections that are compressed in the file.
+  std::deque<llvm::SmallVector<uint8_t, 0>> Decompressed;
 };
 
 } // namespace tp

@@ -9,6 +9,7 @@
 #include "llvm-backend/clang/link/ElfInput.h"
 #include "llvm-backend/clang/link/Layout.h"
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Object/Decompressor.h"
 #include "llvm/Support/MathExtras.h"
 
 using namespace llvm;
@@ -116,6 +117,25 @@ static bool isContent(const ElfType::Shdr &Header, StringRef Name) {
   }
 }
 
+Error ElfObject::decompress(InputSection &Section) {
+  auto Reader = object::Decompressor::create(
+      Section.Name, toStringRef(Section.Bytes), /*IsLE=*/true,
+      /*Is64Bit=*/false);
+  if (!Reader)
+    return Reader.takeError();
+  const auto *Header =
+      reinterpret_cast<const ElfType::Chdr *>(Section.Bytes.data());
+  Section.Alignment = std::max<uint32_t>(1, Header->ch_addralign);
+  SmallVector<uint8_t, 0> &Content = Decompressed.emplace_back();
+  Content.resize(Reader->getDecompressedSize());
+  if (Error Failure = Reader->decompress(Content))
+    return Failure;
+  Section.Bytes = Content;
+  Section.Size = Content.size();
+  Section.Flags &= ~SHF_COMPRESSED;
+  return Error::success();
+}
+
 Error ElfObject::readSections(const File &Elf, StringSet<> &ComdatGroups) {
   auto Headers = Elf.sections();
   if (!Headers)
@@ -141,15 +161,18 @@ Error ElfObject::readSections(const File &Elf, StringSet<> &ComdatGroups) {
     Section->Flags = Header.sh_flags;
     Section->Size = Header.sh_size;
     Section->Alignment = std::max<uint32_t>(1, Header.sh_addralign);
-    if (!isPowerOf2_32(Section->Alignment))
-      return makeError("section " + *SectionName + " has alignment " +
-                       Twine(Section->Alignment) + ", not a power of two");
     if (!Section->isZeroFilled()) {
       auto Bytes = Elf.getSectionContents(Header);
       if (!Bytes)
         return Bytes.takeError();
       Section->Bytes = *Bytes;
     }
+    if (Header.sh_flags & SHF_COMPRESSED)
+      if (Error Failure = decompress(*Section))
+        return Failure;
+    if (!isPowerOf2_32(Section->Alignment))
+      return makeError("section " + *SectionName + " has alignment " +
+                       Twine(Section->Alignment) + ", not a power of two");
     Sections[Number] = std::move(Section);
   }
 

@@ -58,9 +58,14 @@ __asm__(".text\n"
         ".globl _start\n"
         ".type _start,@function\n"
         "_start:\n"
+        // Nobody called it.
+        ".cfi_sections .debug_frame\n"
+        ".cfi_startproc\n"
+        ".cfi_undefined r31\n"
         "  lui r29, %hi(__tp_stack_top)\n"
         "  addi r29, r29, %lo(__tp_stack_top)\n"
         "  j __tp_start_thread\n"
+        ".cfi_endproc\n"
         ".size _start, .-_start\n"
         // It takes nothing of the stack that it sets up, and calls nothing
         // through a register.
