@@ -57,10 +57,10 @@ static void testTrees() {
   std::map<int, int> Map;
   std::multiset<int> Multiset;
   int Wrong = 0;
-  for (int Step = 0; Step != 700; ++Step) {
+  for (int Step = 0; Step != 400; ++Step) {
     int Key = static_cast<int>(next(60));
     // Grows, shrinks, and grows again.
-    bool Add = next(10) < (Step / 200 % 2 == 0 ? 7u : 3u);
+    bool Add = next(10) < (Step / 100 % 2 == 0 ? 7u : 3u);
     if (Add) {
       Map[Key] += Step;
       Multiset.insert(Key);
