@@ -7,7 +7,7 @@ import subprocess
 
 import csmith
 import cxx.program
-from targets import NATIVE_COMPILERS, Unusable, language
+from targets import Unusable, native_compilers
 
 
 def write_csmith(seed, directory):
@@ -46,7 +46,7 @@ def native_output(tools, source, directory):
     """What all native compilers agree on."""
     outputs = {
         compiler: tools.expected(source, compiler, directory)
-        for compiler in NATIVE_COMPILERS[language(source)]
+        for compiler in native_compilers(source)
     }
     if len(set(outputs.values())) != 1:
         raise Unusable("the native compilers disagree")

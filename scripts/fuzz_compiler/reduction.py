@@ -8,7 +8,7 @@ import shutil
 import sys
 
 from targets import (
-    COMMON, NATIVE_COMPILERS, Failure, Unusable, compile_failure, language,
+    COMMON, Failure, Unusable, compile_failure, language, native_compilers,
     run,
 )
 
@@ -30,18 +30,13 @@ def signature(text):
     return ""
 
 
-def natives(source):
-    return NATIVE_COMPILERS[language(source)]
-
-
 def natives_print(tools, source, directory, expected):
     """Whether plain and optimized native programs print what is expected."""
-    clang, gcc = natives(source)
     try:
         return expected and all(
-            tools.expected(source, compiler, directory, extra) == expected
-            for compiler, extra in (
-                (gcc, []), (clang, ["-O2"]), (gcc, ["-O2"])))
+            tools.expected(source, compiler, directory, [level]) == expected
+            for compiler in native_compilers(source)
+            for level in ("-O0", "-O2"))
     except Unusable:
         return False
 
@@ -52,7 +47,7 @@ def is_interesting(tools, source, wanted, directory):
     needs_output = wanted.kind not in COMPILER_FAILURES
     if needs_output:
         try:
-            expected = tools.expected(source, natives(source)[0], directory,
+            expected = tools.expected(source, native_compilers(source)[0], directory,
                                       CHECKED)
         except Unusable:
             return False

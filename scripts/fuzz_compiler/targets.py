@@ -77,6 +77,14 @@ def language(source):
     return "cpp" if source.endswith(".cpp") else "c"
 
 
+def native_compilers(source):
+    """Clang first, and alone if the source says so in its first line."""
+    with open(source, encoding="utf-8") as file:
+        is_for_clang = file.readline().startswith("// clang only")
+    compilers = NATIVE_COMPILERS[language(source)]
+    return compilers[:1] if is_for_clang else compilers
+
+
 def compile_failure(result):
     """What kind of failure a compiler's end is."""
     text = result.stderr.decode(errors="replace")

@@ -59,7 +59,8 @@ def _field(generator, name, pool, enumerations, packed):
             element = generator.choice(structures)
         else:
             element = field_type(generator, enumerations, packed)
-        return Field(name, Array("", element, generator.choice((1, 2, 3, 5))))
+        return Field(name, Array("", element, generator.choice(
+            (1, 2, 3, 3, 5, 5, 19))))
     if kind < 0.6 and pool:
         return Field(name, generator.choice(pool))
     prefix = ""
@@ -153,6 +154,11 @@ def checksum(kind):
     head = f"inline void mix(uint32_t &Checksum, const {kind.name} &Value) {{"
     if isinstance(kind, Enumeration):
         return f"{head}\n  mix(Checksum, ({kind.underlying.name})Value);\n}}"
+    if isinstance(kind, Integer):
+        lines = [f"inline void mix(uint32_t &Checksum, {kind.name} Value) {{"]
+        lines += [f"  mix(Checksum, (uint64_t)(Value >> {shift}));"
+                  for shift in range(0, kind.bits, 64)]
+        return "\n".join(lines + ["}"])
     if isinstance(kind, Vector):
         return (f"{head}\n  for (int I = 0; I != {kind.count}; ++I)\n"
                 f"    mix(Checksum, Value[I]);\n}}")

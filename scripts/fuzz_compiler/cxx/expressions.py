@@ -4,7 +4,7 @@
 from cxx import literals
 from cxx.scope import parts
 from cxx.types import (
-    BOOLEAN, Boolean, DOUBLE, Enumeration, FLOAT, Floating, HALF, Half,
+    BOOLEAN, BitInteger, Boolean, DOUBLE, Enumeration, FLOAT, Floating, HALF, Half,
     INTEGERS, Integer, Structure, UINT32, UINT64, Vector,
 )
 
@@ -15,8 +15,9 @@ class Expressions:
     """Makes expressions of a wanted type from what a scope offers. Calls are
     made while the budget lasts; spent says what they cost."""
 
-    def __init__(self, generator, vectors, enumerations):
+    def __init__(self, generator, vectors, enumerations, bit_integers):
         self.generator = generator
+        self.bit_integers = bit_integers
         self.vectors = vectors
         self.enumerations = enumerations
         self.budget = 0
@@ -35,7 +36,8 @@ class Expressions:
                     f"{self.make(kind, scope, depth - 1)} : "
                     f"{self.make(kind, scope, depth - 1)})")
         method = {
-            Integer: self.integer, Boolean: self.boolean,
+            Integer: self.integer, BitInteger: self.bit_integer,
+            Boolean: self.boolean,
             Floating: self.floating, Half: self.half,
             Enumeration: self.enumeration, Vector: self.vector,
             Structure: self.structure,
@@ -80,8 +82,12 @@ class Expressions:
 
     def constant(self, kind):
         if isinstance(kind, Integer):
-            value = literals.integer(self.generator, kind.bits, kind.signed)
-            text = literals.integer_text(value, kind.bits, kind.signed)
+            bits = min(kind.bits, 64)
+            value = literals.integer(self.generator, bits, kind.signed)
+            text = literals.integer_text(value, bits, kind.signed)
+            if kind.bits > 64 and self.chance(0.5):
+                shift = self.generator.randrange(kind.bits - 1)
+                return f"({kind.name})(({kind.wide}){text} << {shift})"
             return f"({kind.name}){text}"
         if isinstance(kind, Boolean):
             return self.choice(("true", "false"))
@@ -121,6 +127,13 @@ class Expressions:
         )
         return method(kind, scope, depth - 1)
 
+    def bit_integer(self, kind, scope, depth):
+        method = self.choice(
+            [self.arithmetic] * 4 + [self.bitwise] * 2 + [self.shift] * 2
+            + [self.conversion] * 2
+            + [self.division, self.bounded, self.selection])
+        return method(kind, scope, depth - 1)
+
     def arithmetic(self, kind, scope, depth):
         left, right = (self.make(kind, scope, depth) for _ in range(2))
         operator = self.choice("++--*")
@@ -135,7 +148,7 @@ class Expressions:
 
     def shift(self, kind, scope, depth):
         value = self.make(kind, scope, depth)
-        amount = f"(({self.make(UINT32, scope, depth)}) & {kind.bits - 1})"
+        amount = f"(({self.make(UINT32, scope, depth)}) % {kind.bits})"
         if self.chance(0.5):
             amount = str(self.generator.randrange(kind.bits))
         if self.chance(0.5):
@@ -143,7 +156,8 @@ class Expressions:
         return f"({kind.name})(({value}) >> {amount})"
 
     def conversion(self, kind, scope, depth):
-        other = self.choice(INTEGERS + [BOOLEAN] + self.enumerations)
+        other = self.choice(INTEGERS + [BOOLEAN] + self.enumerations
+                            + self.bit_integers * 2)
         return f"({kind.name})({self.make(other, scope, depth)})"
 
     def division(self, kind, scope, depth):
@@ -159,7 +173,10 @@ class Expressions:
     def bounded(self, kind, scope, depth):
         """Signed arithmetic that cannot overflow, and so may be changed."""
         left, right = (self.make(kind, scope, depth) for _ in range(2))
-        limit = {8: "11", 16: "180", 32: "46000", 64: "3000000000ll"}[kind.bits]
+        limit = "3"
+        if not isinstance(kind, BitInteger):
+            limit = {8: "11", 16: "180", 32: "46000",
+                     64: "3000000000ll"}[kind.bits]
         return (f"({kind.name})((({left}) % {limit}) {self.choice('+-*')} "
                 f"(({right}) % {limit}))")
 

@@ -27,11 +27,11 @@ def integer(generator, bits, signed):
 
 def integer_text(value, bits, signed):
     """As C++; the least value of a type has no literal."""
-    if bits == 64:
+    if bits > 32:
         if value == -(1 << 63):
             return "(-9223372036854775807ll - 1)"
         return f"{value}{'ll' if signed else 'ull'}"
-    if value == -(1 << 31):
+    if value == -(1 << 31) and bits == 32:
         return "(-2147483647 - 1)"
     return f"{value}{'' if signed or bits < 32 else 'u'}"
 

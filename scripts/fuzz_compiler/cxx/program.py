@@ -11,9 +11,10 @@ from cxx.scope import Scope, Variable
 from cxx.statements import Statements
 from cxx.types import (
     Array, BOOLEAN, DOUBLE, Enumeration, FLOAT, Floating, HALF, INTEGERS,
-    Structure, Vector, mask_declarations, vector_types,
+    Structure, Vector, bit_integer, triple_types, vector_types,
 )
 
+CLANG_ONLY = "// clang only"
 MOST_COST_OF_MAIN = 400_000
 
 PICK = """static uint32_t pickState = 1;
@@ -28,14 +29,18 @@ class Program:
 
     def __init__(self, seed):
         self.generator = random.Random(f"program {seed}")
-        self.lines = ['#include "fuzz.h"', ""]
+        # Every fourth has what only clang knows.
+        self.is_for_clang = seed % 4 == 3
+        self.lines = [CLANG_ONLY] if self.is_for_clang else []
+        self.lines += ['#include "fuzz.h"', ""]
+        self.bit_integers = []
         self.enumerations = []
         self.structures = []
         self.vectors = []
         self.make_types()
         self.types = self.chosen_types()
         self.expressions = Expressions(self.generator, self.vectors,
-                                       self.enumerations)
+                                       self.enumerations, self.bit_integers)
         self.statements = Statements(self.generator, self.expressions,
                                      self.types)
         self.globals = []
@@ -46,13 +51,17 @@ class Program:
         return "\n".join(self.lines) + "\n"
 
     def make_types(self):
-        self.lines += mask_declarations()
+        if self.is_for_clang:
+            self.make_bit_integers()
         chosen = self.generator.sample(vector_types(), 4)
         # Conversions between vectors need another of as many elements.
         for kind, text in vector_types():
             if any(kind.count == other.count for other, _ in chosen):
                 self.vectors.append(kind)
                 self.lines += [text, declarations.checksum(kind)]
+        for kind, text in triple_types() if self.is_for_clang else ():
+            self.vectors.append(kind)
+            self.lines += [text, declarations.checksum(kind)]
         for number in range(self.generator.randint(1, 3)):
             kind, text = declarations.enumeration(self.generator, number)
             self.enumerations.append(kind)
@@ -69,13 +78,22 @@ class Program:
             self.lines += [text, declarations.checksum(kind)]
             self.lines += self.maker(kind)
 
+    def make_bit_integers(self):
+        for _ in range(self.generator.randint(1, 3)):
+            bits = self.generator.choice((5, 7, 13, 24, 33, 48, 63, 65, 96, 100,
+                                          128))
+            kind, text = bit_integer(bits, self.generator.random() < 0.5)
+            if all(kind.name != other.name for other in self.bit_integers):
+                self.bit_integers.append(kind)
+                self.lines += [text, declarations.checksum(kind)]
+
     def chosen_types(self):
         """What variables, parameters and results have: each program prefers
         some."""
         scalars = INTEGERS + [BOOLEAN, FLOAT, DOUBLE, HALF]
         favourites = self.generator.sample(scalars, 5)
         return (scalars + favourites * 3 + [FLOAT] * 2 + self.enumerations
-                + self.structures * 2
+                + self.structures * 2 + self.bit_integers * 4
                 + self.generator.sample(self.vectors, 2))
 
     @staticmethod

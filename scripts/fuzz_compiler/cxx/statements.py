@@ -3,7 +3,7 @@
 
 from cxx.scope import Variable
 from cxx.types import (
-    Array, BOOLEAN, Enumeration, Floating, Half, INTEGERS, Integer, Structure,
+    Array, BOOLEAN, BitInteger, Enumeration, Floating, Half, INTEGERS, Integer, Structure,
     UINT32, UNSIGNED, Vector,
 )
 
@@ -263,7 +263,8 @@ class Statements:
 
     def switch(self, scope, depth):
         kind = self.generator.choice(
-            [t for t in self.types if isinstance(t, (Integer, Enumeration))])
+            [t for t in self.types if isinstance(t, (Integer, Enumeration))
+             and not isinstance(t, BitInteger)])
         integer = kind.underlying if isinstance(kind, Enumeration) else kind
         value = f"({integer.name})({self.expression(kind, scope)})"
         if self.chance(0.6):

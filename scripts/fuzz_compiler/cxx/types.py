@@ -21,6 +21,22 @@ class Integer(Type):
 
 
 @dataclasses.dataclass(frozen=True)
+class BitInteger(Integer):
+    """_BitInt(bits), which is not promoted to int."""
+
+    @property
+    def wide(self):
+        return f"unsigned _BitInt({self.bits})"
+
+
+def bit_integer(bits, signed):
+    """(type, declaration)"""
+    name = f"{'Signed' if signed else 'Unsigned'}{bits}"
+    text = f"using {name} = {'' if signed else 'unsigned '}_BitInt({bits});"
+    return BitInteger(name, bits, signed), text
+
+
+@dataclasses.dataclass(frozen=True)
 class Boolean(Type):
     pass
 
@@ -47,8 +63,6 @@ class Enumeration(Type):
 class Vector(Type):
     element: Type
     count: int
-    # The vector of integers that a comparison gives.
-    mask: str
 
 
 @dataclasses.dataclass(frozen=True)
@@ -113,18 +127,19 @@ def vector_types():
         for count in (2, 4, 8):
             name = f"{short}x{count}"
             size = element.bits // 8 * count
-            mask = f"s{element.bits}x{count}"
             text = (f"typedef {element.name} {name} "
                     f"__attribute__((vector_size({size})));")
-            result.append((Vector(name, element, count, mask), text))
+            result.append((Vector(name, element, count), text))
     return result
 
 
-def mask_declarations():
-    """Declares what Vector.mask names."""
-    return [
-        f"typedef int{bits}_t s{bits}x{count} "
-        f"__attribute__((vector_size({bits // 8 * count})));"
-        for bits in (8, 16, 32, 64)
-        for count in (2, 4, 8)
-    ]
+def triple_types():
+    """Vectors of three elements, which only clang has."""
+    result = []
+    for element, short in ((UINT32, "u32"), (FLOAT, "f32"), (UNSIGNED[0], "u8"),
+                           (DOUBLE, "f64")):
+        name = f"{short}x3"
+        text = (f"typedef {element.name} {name} "
+                f"__attribute__((ext_vector_type(3)));")
+        result.append((Vector(name, element, 3), text))
+    return result
