@@ -186,19 +186,23 @@ static int runJobs(Compilation &Jobs, const JobPlan &Plan,
   JobRunner Runner(Jobs, Plan, ToolPath, Folders, Warnings);
   const Outcome Result = Runner.runAll(UserArguments.hasArg(OPT_v));
   Jobs.CleanupFileList(Jobs.getTempFiles());
-  if (Level == ReproducerLevel::Always)
-    Jobs.getDriver().getDiags().Report(diag::err_drv_force_crash)
-        << /*is -gen-reproducer*/ 1;
-  if (Level == ReproducerLevel::Always ||
-      (Level == ReproducerLevel::Error && Result != Outcome::Succeeded) ||
-      (Level != ReproducerLevel::Off && Result == Outcome::Crashed &&
-       Runner.crashStatus() != JobRunner::FatalErrorStatus))
+  DiagnosticsEngine &Diags = Jobs.getDriver().getDiags();
+  bool IsReproduced = Level == ReproducerLevel::Always;
+  if (IsReproduced) {
+    Diags.Report(diag::err_drv_force_crash) << /*-gen-reproducer*/ 1;
+  } else if (Result == Outcome::Crashed &&
+             Runner.crashStatus() != JobRunner::FatalErrorStatus) {
+    IsReproduced = Level != ReproducerLevel::Off;
+  } else if (Result != Outcome::Succeeded && Level == ReproducerLevel::Error) {
+    IsReproduced = true;
+    Diags.Report(diag::err_drv_command_failed) << "tpcc" << 1;
+  }
+  if (IsReproduced)
     writeReproducer(Jobs, Given, ToolPath);
   // What a crash has left is not worth taking apart.
   if (Result == Outcome::Crashed)
     sys::Process::Exit(Runner.crashStatus(), /*NoCleanup=*/true);
-  return Result == Outcome::Failed ||
-         Jobs.getDriver().getDiags().hasErrorOccurred();
+  return Result == Outcome::Failed || Diags.hasErrorOccurred();
 }
 
 // Does what the translated command line says; \p Given is the user's own.

@@ -28,7 +28,7 @@
 #pragma clang __debug llvm_fatal_error
 #endif
 #ifdef WRONG
-#error wrong
+int Wrong = ;
 #endif
 #ifndef VALUE
 #define VALUE 0
