@@ -89,6 +89,8 @@ void useOperators(uint32_t Id) {
   check(!Huge);
 }
 
+void *Reserve = nullptr;
+
 /// Random steps; each block is filled with a pattern of its own.
 void churn(uint32_t Id) {
   constexpr uint32_t Slots = 24;
@@ -151,6 +153,24 @@ int main() {
   void *Large = malloc(All < 0x40000000 ? All / 8 * 7 : 0x3FFFFFFF);
   check(Large);
   free(Large);
+  // The handler gives back what it has until there is enough.
+  Reserve = malloc(All < 0x40000000 ? All / 4 * 3 : 0x3FFFFFFF);
+  std::set_new_handler([] {
+    check(Reserve);
+    free(Reserve);
+    Reserve = nullptr;
+    std::set_new_handler(nullptr);
+  });
+  uint32_t Most = All < 0x40000000 ? All / 2 : 0x3FFFFFFF;
+  void *Rest[8] = {};
+  for (void *&Memory : Rest) {
+    Memory = ::operator new(Most, std::nothrow);
+    if (!Reserve)
+      break;
+  }
+  check(!Reserve && !std::get_new_handler());
+  for (void *Memory : Rest)
+    ::operator delete(Memory);
   // A block grows into free memory behind it and shrinks in place.
   auto *Grown = static_cast<uint8_t *>(malloc(1000));
   void *Barrier = malloc(16);

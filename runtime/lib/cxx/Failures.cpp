@@ -40,7 +40,21 @@ extern "C" {
 
 namespace std {
 
-void terminate() noexcept { fail("std::terminate called"); }
+static terminate_handler Handler = nullptr;
+
+void terminate() noexcept {
+  if (terminate_handler Current = get_terminate())
+    Current();
+  fail("std::terminate called");
+}
+terminate_handler set_terminate(terminate_handler Function) noexcept {
+  return __atomic_exchange_n(&Handler, Function, __ATOMIC_ACQ_REL);
+}
+terminate_handler get_terminate() noexcept {
+  return __atomic_load_n(&Handler, __ATOMIC_ACQUIRE);
+}
+bool uncaught_exception() noexcept { return false; }
+int uncaught_exceptions() noexcept { return 0; }
 
 void __throw_bad_exception() { fail("std::bad_exception"); }
 void __throw_bad_alloc() { fail("std::bad_alloc"); }

@@ -12,15 +12,17 @@
 using std::align_val_t;
 using std::nothrow_t;
 
-static void *allocate(size_t Bytes) {
-  void *Memory = malloc(Bytes);
-  if (!Memory)
-    tp::fail("out of memory");
-  return Memory;
-}
+static std::new_handler Handler = nullptr;
 
 static void *allocateOrNull(size_t Bytes, align_val_t Alignment) {
-  return aligned_alloc(static_cast<size_t>(Alignment), Bytes);
+  for (;;) {
+    if (void *Memory = aligned_alloc(static_cast<size_t>(Alignment), Bytes))
+      return Memory;
+    std::new_handler Current = std::get_new_handler();
+    if (!Current)
+      return nullptr;
+    Current();
+  }
 }
 
 static void *allocate(size_t Bytes, align_val_t Alignment) {
@@ -30,15 +32,25 @@ static void *allocate(size_t Bytes, align_val_t Alignment) {
   return Memory;
 }
 
+constexpr align_val_t DefaultAlignment{__STDCPP_DEFAULT_NEW_ALIGNMENT__};
+
 const nothrow_t std::nothrow{};
 
-void *operator new(size_t Bytes) { return allocate(Bytes); }
-void *operator new[](size_t Bytes) { return allocate(Bytes); }
+std::new_handler std::set_new_handler(new_handler Function) noexcept {
+  return __atomic_exchange_n(&Handler, Function, __ATOMIC_ACQ_REL);
+}
+
+std::new_handler std::get_new_handler() noexcept {
+  return __atomic_load_n(&Handler, __ATOMIC_ACQUIRE);
+}
+
+void *operator new(size_t Bytes) { return allocate(Bytes, DefaultAlignment); }
+void *operator new[](size_t Bytes) { return allocate(Bytes, DefaultAlignment); }
 void *operator new(size_t Bytes, const nothrow_t &) noexcept {
-  return malloc(Bytes);
+  return allocateOrNull(Bytes, DefaultAlignment);
 }
 void *operator new[](size_t Bytes, const nothrow_t &) noexcept {
-  return malloc(Bytes);
+  return allocateOrNull(Bytes, DefaultAlignment);
 }
 void *operator new(size_t Bytes, align_val_t Alignment) {
   return allocate(Bytes, Alignment);
