@@ -227,7 +227,7 @@ std::optional<RegImmPair> TPInstrInfo::isAddImmediate(const MachineInstr &MI,
 }
 
 // The bits that \p MI puts into its register, if they are a constant.
-static std::optional<int64_t> getLoadedConstant(const MachineInstr &MI) {
+static std::optional<uint32_t> getLoadedConstant(const MachineInstr &MI) {
   switch (MI.getOpcode()) {
   case TP::ADDI:
   case TP::ORI:
@@ -237,7 +237,7 @@ static std::optional<int64_t> getLoadedConstant(const MachineInstr &MI) {
     return std::nullopt;
   case TP::LUI:
     if (MI.getOperand(1).isImm())
-      return SignExtend64<32>(MI.getOperand(1).getImm() << 16);
+      return MI.getOperand(1).getImm() << 16;
     return std::nullopt;
   case TP::MTC1:
     if (MI.getOperand(1).getReg() == TP::R0)
@@ -250,7 +250,7 @@ static std::optional<int64_t> getLoadedConstant(const MachineInstr &MI) {
 
 std::optional<ParamLoadedValue>
 TPInstrInfo::describeLoadedValue(const MachineInstr &MI, Register Reg) const {
-  if (std::optional<int64_t> Value = getLoadedConstant(MI);
+  if (std::optional<uint32_t> Value = getLoadedConstant(MI);
       Value && MI.getOperand(0).getReg() == Reg)
     return ParamLoadedValue(
         MachineOperand::CreateImm(*Value),
