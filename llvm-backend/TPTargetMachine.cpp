@@ -8,6 +8,7 @@
 #include "llvm-backend/FloatingPoint/FloatingPointOptions.h"
 #include "llvm-backend/FloatingPoint/FloatingPointPasses.h"
 #include "llvm-backend/TP.h"
+#include "llvm-backend/TPAtomicSizes.h"
 #include "llvm-backend/TPBuiltinAttributes.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/TPMachineFunctionInfo.h"
@@ -93,6 +94,8 @@ MachineFunctionInfo *TPTargetMachine::createMachineFunctionInfo(
 void TPTargetMachine::registerPassBuilderCallbacks(PassBuilder &PB) {
   // First: they call builtins.
   registerFloatingPointPasses(PB);
+  PB.registerPipelineStartEPCallback(
+      [](ModulePassManager &PM, auto...) { PM.addPass(TPAtomicSizesPass()); });
   auto AddAttributes = [](ModulePassManager &PM, auto...) {
     PM.addPass(TPBuiltinAttributesPass());
   };

@@ -32,6 +32,6 @@ int size(double D, Three T, __int128 I) {
 
 // CHECK: [[#@LINE+1]]:{{[0-9]+}}: error: register 'r16' unsuitable for global register variables
 register int Allocated __asm__("r16");
-// CHECK-NOT: error
+// CHECK-NOT: error:
 register void *StackPointer __asm__("sp");
 void *top(void) { return StackPointer; }
