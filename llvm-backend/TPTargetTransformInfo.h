@@ -61,7 +61,7 @@ public:
   void getUnrollingPreferences(Loop *L, ScalarEvolution &SE,
                                TTI::UnrollingPreferences &UP,
                                OptimizationRemarkEmitter *ORE) const override;
-  unsigned getInliningThresholdMultiplier() const override { return 2; }
+  unsigned getInliningThresholdMultiplier() const override { return 1; }
   /// A table lookup is a load; compares and selects are faster.
   bool shouldBuildLookupTables() const override { return false; }
   bool haveFastSqrt(Type *Ty) const override { return Ty->isFloatTy(); }
