@@ -12,7 +12,7 @@ SINCE = {
     "c++11": """algorithm array atomic bitset cassert cctype cerrno cfenv cfloat
         cinttypes climits cmath complex csetjmp cstdarg cstddef cstdint cstdio
         cstdlib cstring deque exception forward_list functional
-        initializer_list iterator limits list map math.h memory new numeric
+        initializer_list iterator limits complex.h fenv.h list map math.h memory new numeric
         queue random ratio set setjmp.h stack stdlib.h string tuple type_traits
         typeindex unordered_map unordered_set utility valarray vector""",
     "c++17": "any charconv chrono optional string_view variant",
