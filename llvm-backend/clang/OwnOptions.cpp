@@ -134,6 +134,8 @@ void printOwnOptions(raw_ostream &Stream) {
   printHelp(Stream, "-Wno-tp-fp, -Wno-tp-fp-<name>",
             "Do not warn about the hazards of floating-point options; also "
             "-Werror=, -Wno-error=");
+  printHelp(Stream, "-Wtp-double",
+            "Warn of arithmetic in double, which the TP does in software");
 }
 
 //===----------------------------------------------------------------------===//

@@ -14,6 +14,7 @@
 #include "llvm-backend/clang/warnings/ComparatorCheck.h"
 #include "llvm-backend/clang/warnings/ConversionCheck.h"
 #include "llvm-backend/clang/warnings/DiagnosticPragmas.h"
+#include "llvm-backend/clang/warnings/DoubleCheck.h"
 #include "llvm-backend/clang/warnings/NonFiniteCheck.h"
 #include "clang/AST/RecursiveASTVisitor.h"
 #include "clang/Basic/DiagnosticFrontend.h"
@@ -53,7 +54,8 @@ public:
   Visitor(ASTContext &Context, const ContractionRules &Rules,
           WarningReporter &Reporter)
       : Sources(Context.getSourceManager()), NonFinite(Context, Reporter),
-        Conversion(Context, Reporter), Comparator(Context, Rules, Reporter) {}
+        Conversion(Context, Reporter), Comparator(Context, Rules, Reporter),
+        Double(Context, Reporter) {}
 
   bool shouldVisitTemplateInstantiations() const { return true; }
 
@@ -91,6 +93,7 @@ public:
   bool VisitCallExpr(CallExpr *Call) {
     NonFinite.checkCall(*Call);
     Comparator.checkCall(*Call);
+    Double.checkCall(*Call);
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *Construction) {
@@ -103,10 +106,16 @@ public:
   }
   bool VisitBinaryOperator(BinaryOperator *Operator) {
     NonFinite.checkBinaryOperator(*Operator);
+    Double.checkBinaryOperator(*Operator);
+    return true;
+  }
+  bool VisitUnaryOperator(UnaryOperator *Operator) {
+    Double.checkUnaryOperator(*Operator);
     return true;
   }
   bool VisitCastExpr(CastExpr *Cast) {
     NonFinite.checkCast(*Cast);
+    Double.checkCast(*Cast);
     return true;
   }
   bool VisitFloatingLiteral(FloatingLiteral *Literal) {
@@ -119,6 +128,7 @@ private:
   NonFiniteCheck NonFinite;
   ConversionCheck Conversion;
   ComparatorCheck Comparator;
+  DoubleCheck Double;
 };
 
 class Consumer : public ASTConsumer {
@@ -134,13 +144,13 @@ public:
 
   void HandleTranslationUnit(ASTContext &Context) override {
     if (Diags.hasUncompilableErrorOccurred() ||
-        none_of(
-            ArrayRef<FloatingPointWarning>{FloatingPointWarning::NonFinite,
-                                           FloatingPointWarning::Conversion,
-                                           FloatingPointWarning::Comparator},
-            [&](FloatingPointWarning Warning) {
-              return Pragmas.isAnywhereEnabled(Warning);
-            }))
+        none_of(ArrayRef<FloatingPointWarning>{FloatingPointWarning::NonFinite,
+                                               FloatingPointWarning::Conversion,
+                                               FloatingPointWarning::Comparator,
+                                               FloatingPointWarning::Double},
+                [&](FloatingPointWarning Warning) {
+                  return Pragmas.isAnywhereEnabled(Warning);
+                }))
       return;
     WarningReporter Reporter(Diags, Pragmas);
     Visitor(Context, Rules, Reporter).TraverseAST(Context);

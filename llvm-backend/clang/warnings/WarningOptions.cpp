@@ -15,7 +15,8 @@ namespace tp {
 // In the order of FloatingPointWarning.
 static constexpr StringRef Names[] = {
     "tp-fp-flag-order", "tp-fp-ignored-flag", "tp-fp-nonfinite",
-    "tp-fp-conversion", "tp-fp-comparator",   "tp-fp-mixed-infinities"};
+    "tp-fp-conversion", "tp-fp-comparator",   "tp-fp-mixed-infinities",
+    "tp-double"};
 static constexpr StringRef GroupName = "tp-fp";
 
 namespace {
@@ -53,7 +54,8 @@ Error WarningOptions::readOwnWord(StringRef Word) {
   WarningWord Parts = parse(Word);
   bool IsKnown = false;
   for (auto [Name, Warning] : zip_equal(Names, States)) {
-    if (Parts.Name != Name && Parts.Name != GroupName)
+    const bool IsInGroup = Name.starts_with(GroupName);
+    if (Parts.Name != Name && !(IsInGroup && Parts.Name == GroupName))
       continue;
     IsKnown = true;
     if (!Parts.ConcernsErrors) {

@@ -24,7 +24,8 @@ enum class FloatingPointWarning {
   NonFinite,
   Conversion,
   Comparator,
-  MixedInfinities
+  MixedInfinities,
+  Double
 };
 
 /// What a warning does to a compilation.
@@ -36,11 +37,14 @@ inline constexpr const char WarningPlugInName[] = "tp-fp";
 /// The front end's option that hands the plug-in one of the user's -Wtp words.
 inline constexpr const char WarningPlugInOption[] = "-plugin-arg-tp-fp";
 
-/// The -Wtp-fp words of a command line: `-Wtp-fp-<name>`, `-Wno-tp-fp-<name>`,
-/// `-Werror=tp-fp-<name>`, `-Wno-error=tp-fp-<name>` and the same for the group
-/// `tp-fp` of all. They combine as clang's do.
+/// The -Wtp words of a command line: `-Wtp-fp-<name>`, `-Wno-tp-fp-<name>`,
+/// `-Werror=tp-fp-<name>`, `-Wno-error=tp-fp-<name>`, the same for the group
+/// `tp-fp` of all of these, and for `tp-double`, which alone is off unless
+/// asked for. They combine as clang's do.
 class WarningOptions {
 public:
+  WarningOptions() { stateOf(FloatingPointWarning::Double).IsEnabled = false; }
+
   /// Whether \p Word sets one of these warnings (or, misspelt, tries to).
   static bool isOwnWord(llvm::StringRef Word);
 
@@ -72,7 +76,11 @@ private:
     bool IsNeverError = false;
   };
   static constexpr size_t NumWarnings =
-      static_cast<size_t>(FloatingPointWarning::MixedInfinities) + 1;
+      static_cast<size_t>(FloatingPointWarning::Double) + 1;
+
+  State &stateOf(FloatingPointWarning Warning) {
+    return States[static_cast<size_t>(Warning)];
+  }
 
   std::array<State, NumWarnings> States;
   bool AllAreErrors = false;
