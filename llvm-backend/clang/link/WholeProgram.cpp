@@ -158,6 +158,9 @@ void WholeProgram::addRuntime(std::unique_ptr<Module> Runtime, StringRef Name,
       Replaced.push_back(&Global);
   for (GlobalValue *Global : Replaced)
     dropDefinition(*Global);
+  // The user's -gdwarf-<n> is for the whole program.
+  if (unsigned Version = Program->getDwarfVersion())
+    Runtime->setModuleFlag(Module::Max, "Dwarf Version", Version);
   // It uses infinities and NaNs on purpose.
   for (Function &F : *Runtime)
     if (!F.isDeclaration()) {
