@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Runs a program on the 1x1 chip at every optimization level and compares what
-it says with its native run."""
+it says with its native run. The program's debug information is verified."""
 
 import argparse
 import difflib
@@ -61,6 +61,12 @@ def check_equal(expected, command):
     raise Failure(shlex.join(command) + "\n" + "\n".join(lines) + "\n" + errors)
 
 
+def check_debug_information(program):
+    text, errors = output_of(["llvm-dwarfdump", "--verify", str(program)])
+    if not text.endswith("No errors.\nexit status 0\n"):
+        raise Failure(f"{program}: {text}{errors}")
+
+
 def native_output(source, directory, family, options):
     program = directory / family
     compiler = NATIVE_COMPILERS[source.suffix][family]
@@ -87,10 +93,11 @@ def compare(arguments):
     for level in arguments.levels.split():
         program = arguments.directory / f"tp{level}.elf"
         compile_program(
-            ["tpcc", level, *COMMON_OPTIONS, *arguments.options]
+            ["tpcc", level, "-g", *COMMON_OPTIONS, *arguments.options]
             + ["-mllvm", "-verify-machineinstrs"]
             + [str(arguments.source), "-o", str(program)]
         )
+        check_debug_information(program)
         check_equal(texts[0], ["tpsim", "--chip=1x1", "--quiet", str(program)])
 
 
