@@ -9,7 +9,7 @@
 // RUN: tpcc -O1 -DTWICE %s -o %t.twice.elf
 // RUN: not tpsim --chip 1x1 --quiet %t.twice.elf 2>&1 \
 // RUN:   | FileCheck --check-prefix=TWICE %s
-// TWICE: error: free: the memory is not in use, or its header was overwritten
+// TWICE: heap: memory given back is not in use, or was written past its end
 
 #include <initializer_list>
 #include <new>

@@ -23,7 +23,6 @@
 #include "runtime/lib/crt/SpinLock.h"
 #include "tp/launch.h"
 #include "tp/memory.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -253,18 +252,15 @@ Block *allocate(uint32_t Bytes) {
   return B;
 }
 
-/// The block of memory that the program gives back to \p Function.
-Block *checkedBlock(void *Memory, const char *Function) {
+/// The block of memory that the program gives back. A message would need stack
+/// and could come back here: a trap names the reason.
+Block *checkedBlock(void *Memory) {
   Block *B = blockOf(Memory);
-  if (deviceAddress(Memory) % Granule == 0 &&
-      (atomicLoad(&B->Tag) & (InUse | (TagBits & ~PreviousIsFree))) == InUse)
-    return B;
-  const char *const Parts[] = {
-      "error: ", Function,
-      ": the memory is not in use, or its header was overwritten\n"};
-  for (const char *Part : Parts)
-    fputs(Part, stderr);
-  abort();
+  if (deviceAddress(Memory) % Granule != 0 ||
+      (atomicLoad(&B->Tag) & (InUse | (TagBits & ~PreviousIsFree))) != InUse)
+    __builtin_verbose_trap(
+        "heap", "memory given back is not in use, or was written past its end");
+  return B;
 }
 
 /// Whether \p B could take in free memory behind it up to \p Bytes.
@@ -300,7 +296,7 @@ void free(void *Memory) {
   if (!Memory)
     return;
   LockGuard Guard(HeapLock);
-  release(checkedBlock(Memory, "free"));
+  release(checkedBlock(Memory));
 }
 
 void *calloc(size_t Count, size_t Bytes) {
@@ -316,7 +312,7 @@ void *realloc(void *Memory, size_t Bytes) {
     return malloc(Bytes);
   if (Bytes > MaxBytes)
     return nullptr;
-  Block *B = checkedBlock(Memory, "realloc");
+  Block *B = checkedBlock(Memory);
   uint32_t Old = bytesOf(B), New = blockBytes(Bytes);
   if (New <= Old) {
     if (Old - New >= MinBytes) {
