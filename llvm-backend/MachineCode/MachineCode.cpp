@@ -77,4 +77,11 @@ bool MachineCode::assemble(SourceMgr &Sources, MCStreamer &Streamer) {
   return !Parser->Run(/*NoInitialTextSection=*/false);
 }
 
+void MachineCode::describeLines(StringRef Name, StringRef Text) {
+  Context.setGenDwarfForAssembly(true);
+  if (Context.getMainFileName().empty())
+    Context.setMainFileName(Name);
+  Context.setGenDwarfRootFile(Name, Text);
+}
+
 } // namespace tp

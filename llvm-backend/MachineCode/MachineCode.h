@@ -51,6 +51,10 @@ public:
   /// \returns false after an error, which has been reported.
   bool assemble(llvm::SourceMgr &Sources, llvm::MCStreamer &Streamer);
 
+  /// Makes the next assemble() add DWARF that leads back to the lines of the
+  /// file \p Name with the contents \p Text.
+  void describeLines(llvm::StringRef Name, llvm::StringRef Text);
+
   const llvm::Triple TargetTriple;
   const llvm::Target &Target;
   const llvm::MCTargetOptions Options;

@@ -13,6 +13,7 @@
 #include "clang/Options/OptionUtils.h"
 #include "clang/Options/Options.h"
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/StringSwitch.h"
 #include "llvm/Option/ArgList.h"
 #include "llvm/Option/OptTable.h"
 #include "llvm/Support/FileSystem.h"
@@ -39,9 +40,10 @@ static bool reportBadArguments(const InputArgList &Arguments,
   return Diags.hasErrorOccurred();
 }
 
-static void setDebugOptions(MCContext &Context, const InputArgList &Arguments,
+static void setDebugOptions(MachineCode &Code, const InputArgList &Arguments,
                             StringRef InputName, StringRef InputText,
                             DiagnosticsEngine &Diags) {
+  MCContext &Context = Code.Context;
   Context.setDwarfVersion(
       clang::getLastArgIntValue(Arguments, OPT_dwarf_version_EQ, 5, Diags));
   if (const Arg *Folder = Arguments.getLastArg(OPT_ffile_compilation_dir_EQ,
@@ -55,10 +57,17 @@ static void setDebugOptions(MCContext &Context, const InputArgList &Arguments,
     Context.setMainFileName(Name->getValue());
   if (const Arg *Producer = Arguments.getLastArg(OPT_dwarf_debug_producer))
     Context.setDwarfDebugProducer(Producer->getValue());
-  if (Arguments.hasArg(OPT_debug_info_kind_EQ)) {
-    Context.setGenDwarfForAssembly(true);
-    Context.setGenDwarfRootFile(InputName, InputText);
-  }
+  if (Arguments.hasArg(OPT_debug_info_kind_EQ))
+    Code.describeLines(InputName, InputText);
+}
+
+static DebugCompressionType readCompression(const InputArgList &Arguments) {
+  StringRef Kind = Arguments.hasArg(OPT_compress_debug_sections) ? "zlib" : "";
+  return StringSwitch<DebugCompressionType>(
+             Arguments.getLastArgValue(OPT_compress_debug_sections_EQ, Kind))
+      .Case("zlib", DebugCompressionType::Zlib)
+      .Case("zstd", DebugCompressionType::Zstd)
+      .Default(DebugCompressionType::None);
 }
 
 static bool defineSymbols(MCContext &Context, MCStreamer &Streamer,
@@ -108,12 +117,13 @@ bool runAssembler(ArrayRef<const char *> CommandLine,
   Options.MCNoWarn = Arguments.hasArg(OPT_massembler_no_warn);
   Options.MCFatalWarnings = Arguments.hasArg(OPT_massembler_fatal_warnings);
   Options.MCSaveTempLabels = Arguments.hasArg(OPT_msave_temp_labels);
+  Options.CompressDebugSections = readCompression(Arguments);
   Options.MCUseDwarfDirectory = MCTargetOptions::EnableDwarfDirectory;
 
   MachineCode Code(
       &Sources, Options, Arguments.getLastArgValue(OPT_target_cpu),
       llvm::join(Arguments.getAllArgValues(OPT_target_feature), ","));
-  setDebugOptions(Code.Context, Arguments, InputName, InputText, Diags);
+  setDebugOptions(Code, Arguments, InputName, InputText, Diags);
 
   std::string OutputName = Arguments.getLastArgValue(OPT_o, "-").str();
   std::error_code OpenFailure;

@@ -87,22 +87,20 @@ static std::unique_ptr<MCStreamer> createStreamer(tp::MachineCode &Code,
       std::move(Printer), std::move(Encoder), Code.createAsmBackend()));
 }
 
-static void describeSource(const SourceMgr &Sources, MCContext &Context) {
-  StringRef Text =
-      Sources.getMemoryBuffer(Sources.getMainFileID())->getBuffer();
+static void describeSource(const SourceMgr &Sources, tp::MachineCode &Code) {
   SmallString<128> Directory;
   if (!sys::fs::current_path(Directory))
-    Context.setCompilationDir(Directory);
-  Context.setGenDwarfForAssembly(true);
-  Context.setMainFileName(InputFilename);
-  Context.setDwarfDebugProducer("tp-mc");
-  Context.setGenDwarfRootFile(InputFilename, Text);
+    Code.Context.setCompilationDir(Directory);
+  Code.Context.setDwarfDebugProducer("tp-mc");
+  Code.describeLines(
+      InputFilename,
+      Sources.getMemoryBuffer(Sources.getMainFileID())->getBuffer());
 }
 
 static bool assemble(SourceMgr &Sources, tp::MachineCode &Code,
                      MCStreamer &Streamer) {
   if (DebugInfo)
-    describeSource(Sources, Code.Context);
+    describeSource(Sources, Code);
   return Code.assemble(Sources, Streamer);
 }
 
