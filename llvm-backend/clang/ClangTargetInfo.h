@@ -58,6 +58,8 @@ public:
 
   bool hasInt128Type() const override { return true; }
   bool hasBitIntType() const override { return true; }
+  /// Constants of _Float16 are values of the type half, not their bits.
+  bool useFP16ConversionIntrinsics() const override { return false; }
   /// Division of more bits than the library's is expanded in line.
   size_t getMaxBitIntWidth() const override {
     return MaxBitIntWidth.value_or(llvm::IntegerType::MAX_INT_BITS);
