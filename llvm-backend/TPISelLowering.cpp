@@ -12,6 +12,7 @@
 #include "llvm/CodeGen/MachineFrameInfo.h"
 #include "llvm/CodeGen/SelectionDAG.h"
 #include "llvm/IR/Instructions.h"
+#include "llvm/IR/Intrinsics.h"
 
 using namespace llvm;
 
@@ -114,6 +115,7 @@ void TPTargetLowering::configureControl() {
   setOperationAction({ISD::BR_CC, ISD::BR_JT}, MVT::Other, Expand);
   setOperationAction(ISD::BR_CC, {MVT::i32, MVT::f32}, Expand);
   setOperationAction({ISD::FRAMEADDR, ISD::RETURNADDR}, MVT::i32, Custom);
+  setOperationAction(ISD::INTRINSIC_WO_CHAIN, MVT::Other, Custom);
   setOperationAction({ISD::TRAP, ISD::DEBUGTRAP}, MVT::Other, Legal);
   // A jump table costs a load, the time of some forty compares and branches.
   setMinimumJumpTableEntries(64);
@@ -217,6 +219,8 @@ SDValue TPTargetLowering::LowerOperation(SDValue Op, SelectionDAG &DAG) const {
     return lowerAtomicFence(Op, DAG);
   case ISD::VASTART:
     return lowerVAStart(Op, DAG);
+  case ISD::INTRINSIC_WO_CHAIN:
+    return lowerIntrinsic(Op, DAG);
   case ISD::FRAMEADDR:
     return lowerFrameAddress(Op, DAG);
   case ISD::RETURNADDR:
@@ -269,6 +273,19 @@ SDValue TPTargetLowering::lowerAddress(SDValue Op, SelectionDAG &DAG) const {
   SDValue Low =
       DAG.getNode(TPISD::LO, DL, MVT::i32, getSymbol(Op, DAG, TPII::MO_LO));
   return DAG.getNode(ISD::ADD, DL, MVT::i32, High, Low);
+}
+
+SDValue TPTargetLowering::lowerIntrinsic(SDValue Op, SelectionDAG &DAG) const {
+  if (Op.getConstantOperandVal(0) != Intrinsic::thread_pointer)
+    return SDValue();
+  // The same address for each thread, in a local store of its own.
+  SDLoc DL(Op);
+  auto Symbol = [&](unsigned Flags) {
+    return DAG.getTargetExternalSymbol("__tp_tls_begin", MVT::i32, Flags);
+  };
+  return DAG.getNode(ISD::ADD, DL, MVT::i32,
+                     DAG.getNode(TPISD::HI, DL, MVT::i32, Symbol(TPII::MO_HI)),
+                     DAG.getNode(TPISD::LO, DL, MVT::i32, Symbol(TPII::MO_LO)));
 }
 
 SDValue TPTargetLowering::lowerAtomicFence(SDValue Op,

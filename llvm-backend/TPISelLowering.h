@@ -106,6 +106,7 @@ public:
 
 private:
   SDValue lowerAddress(SDValue Op, SelectionDAG &DAG) const;
+  SDValue lowerIntrinsic(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerAtomicFence(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerVAStart(SDValue Op, SelectionDAG &DAG) const;
   SDValue lowerFrameAddress(SDValue Op, SelectionDAG &DAG) const;

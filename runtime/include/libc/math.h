@@ -84,6 +84,7 @@ float erff(float X);
 float erfcf(float X);
 float expf(float X);
 float exp2f(float X);
+float exp10f(float X);
 float expm1f(float X);
 float fabsf(float X);
 float fdimf(float X, float Y);
@@ -131,8 +132,8 @@ float truncf(float X);
  * 900,000 arguments of all magnitudes (test/unit/runtime/DoubleMathTest.cpp):
  * acosh, asinh, atanh, cbrt, log, log2, log10 0.51; asin, acos, atan, log1p
  * 0.7; atan2 0.75; cosh, exp, exp2, pow, sinh, tanh 0.8; sin, cos 0.85; tan
- * 0.95; expm1, hypot 1; erf 1.3; lgamma, tgamma of positive numbers 2, tgamma of
- * others 5; erfc 4. The error of lgamma below 0 is 2.5 * 2^-52 of 1 and the
+ * 0.95; expm1, hypot 1; erf 1.3; lgamma, tgamma of positive numbers 2, tgamma
+ * of others 5; erfc 4. The error of lgamma below 0 is 2.5 * 2^-52 of 1 and the
  * result's magnitude together. The others are exact or correctly rounded. */
 double acos(double X);
 double acosh(double X);
@@ -150,13 +151,16 @@ double erf(double X);
 double erfc(double X);
 double exp(double X);
 double exp2(double X);
+double exp10(double X);
 double expm1(double X);
 double fabs(double X);
 double fdim(double X, double Y);
 double floor(double X);
 double fma(double X, double Y, double Z);
 double fmax(double X, double Y);
+double fmaximum(double X, double Y);
 double fmin(double X, double Y);
+double fminimum(double X, double Y);
 double fmod(double X, double Y);
 double frexp(double X, int *Exponent);
 double hypot(double X, double Y);
