@@ -21,7 +21,8 @@ config.environment["LC_ALL"] = "C"
 
 backend = os.path.join(config.tp_build_dir, "lib", "libLLVMTP.so")
 config.substitutions += [
-    ("%llc_tp", f"llc -verify-machineinstrs -load {backend} -mtriple=tp-unknown-elf"),
+    ("%llc_tp",
+     f"llc -verify-machineinstrs -load {backend} -mtriple=tp-unknown-elf"),
     ("%tp_backend", backend),
     ("%tp_bin", bin_dir),
     ("%tp_build", config.tp_build_dir),

@@ -47,8 +47,8 @@ def is_interesting(tools, source, wanted, directory):
     needs_output = wanted.kind not in COMPILER_FAILURES
     if needs_output:
         try:
-            expected = tools.expected(source, native_compilers(source)[0], directory,
-                                      CHECKED)
+            expected = tools.expected(source, native_compilers(source)[0],
+                                      directory, CHECKED)
         except Unusable:
             return False
     failure = tools.check(source, wanted.level, wanted.mode, expected,

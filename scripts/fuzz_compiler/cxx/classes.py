@@ -125,12 +125,10 @@ class Hierarchy:
             scope.variables += ancestor.fields
         self.functions.begin(False)
         statements = self.functions.statements
-        state = self.generator.getstate()
-        texts = self.functions.parameters(method.kinds, scope)
+        self.functions.parameters(method.kinds, scope)
         lines = statements.block(scope, self.generator.randint(1, 3), 1)
         value = statements.expression(method.result, scope, 2)
         if statements.cost > MOST_COST:
-            self.generator.setstate(state)
             self.functions.begin(False)
             lines = []
             value = statements.expressions.constant(method.result)

@@ -4,8 +4,8 @@
 from cxx import literals
 from cxx.scope import parts
 from cxx.types import (
-    BOOLEAN, BitInteger, Boolean, DOUBLE, Enumeration, FLOAT, Floating, HALF, Half,
-    INTEGERS, Integer, Structure, UINT32, UINT64, Vector,
+    BOOLEAN, BitInteger, Boolean, DOUBLE, Enumeration, FLOAT, Floating, HALF,
+    Half, INTEGERS, Integer, Structure, UINT32, UINT64, Vector,
 )
 
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")

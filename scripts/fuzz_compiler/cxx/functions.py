@@ -164,8 +164,8 @@ class Functions:
         self.statements.number += 10
         lines += ["va_end(List);"] + self.body(scope, 1)
         value = self.statements.expression(result, scope)
-        lines = [f"static NOINLINE {result.name} {name}(uint32_t Count, ...) {{",
-                 *indented(lines + [f"return {value};"]), "}"]
+        head = f"static NOINLINE {result.name} {name}(uint32_t Count, ...)"
+        lines = [f"{head} {{", *indented(lines + [f"return {value};"]), "}"]
         if self.statements.cost > MOST_COST:
             return [], []
         wrapper, more = self.wrapper(name, result, kinds, [str(count)],

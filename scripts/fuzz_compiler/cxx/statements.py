@@ -3,8 +3,8 @@
 
 from cxx.scope import Variable
 from cxx.types import (
-    Array, BOOLEAN, BitInteger, Enumeration, Floating, Half, INTEGERS, Integer, Structure,
-    UINT32, UNSIGNED, Vector,
+    Array, BOOLEAN, BitInteger, Enumeration, Floating, Half, INTEGERS, Integer,
+    Structure, UINT32, UNSIGNED, Vector,
 )
 
 
@@ -295,7 +295,7 @@ class Statements:
                 f"case {v}" for v in values if v < 40]
         if self.chance(0.7):
             labels.insert(self.generator.randint(0, len(labels)), "default")
-        return [label for label in labels] or ["default"]
+        return labels or ["default"]
 
     def lambda_call(self, scope, depth):
         """A closure with copies of some variables and references to others."""
@@ -394,9 +394,8 @@ class Statements:
             [t for t in self.types
              if not isinstance(t, Vector) and self.may_declare(t)])
         name = self.name("s")
-        storage = self.generator.choice(("static", "static", "THREAD_LOCAL"))
+        storage = self.generator.choice(("", "", "THREAD_LOCAL "))
         inner = type(scope)()
         text = self.expression(kind, inner, 1)
         scope.variables.append(Variable(name, kind))
-        return [f"{'static ' if storage == 'static' else 'static THREAD_LOCAL '}"
-                f"{kind.name} {name} = {text};"]
+        return [f"static {storage}{kind.name} {name} = {text};"]
