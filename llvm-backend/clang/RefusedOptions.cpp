@@ -152,12 +152,24 @@ static void checkSanitizers(const ArgList &Arguments, std::string &Lines) {
                     "parts without vptr work; wild accesses trap on their own");
 }
 
+static void checkLanguages(const ArgList &Arguments, std::string &Lines) {
+  static constexpr StringRef Others[] = {
+      "cl",   "clcpp",           "cuda",          "cuda-cpp-output", "hip",
+      "hlsl", "objective-c",     "objective-c++", "renderscript",    "f77",
+      "f95",  "objc-cpp-output", "hip-cpp-output"};
+  for (const Arg *Given : Arguments.filtered(OPT_x))
+    if (is_contained(Others, StringRef(Given->getValue())))
+      addLine(Lines, *Given, Arguments,
+              "tpcc compiles C, C++, LLVM IR and assembly");
+}
+
 Error checkRefusedOptions(const ArgList &Arguments) {
   std::string Lines;
   for (const Refusal &Rule : Refusals)
     if (const Arg *Given = findRefused(Arguments, Rule))
       addLine(Lines, *Given, Arguments, Rule.Reason);
   checkSanitizers(Arguments, Lines);
+  checkLanguages(Arguments, Lines);
   if (Lines.empty())
     return Error::success();
   return createStringError(Lines);

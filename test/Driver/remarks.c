@@ -34,8 +34,8 @@ int sum(void) {
 int main(void) {
   // MISSED: remarks.c:[[@LINE+4]]:25: remark: 'zero' not inlined into 'main' because {{.*}}noinline{{.*}} [-Rpass-missed=inline]
   // LINK: remarks.c:[[@LINE+3]]:10: remark: 'increment' inlined into 'main' with {{.*}} [-Rpass=inline]
-  // LINK-NEXT: {{^}}  return increment(2)
-  // LINK-NEXT: {{^}}         ^
+  // LINK-NEXT: {{^}} [[@LINE+2]] | return increment(2)
+  // LINK-NEXT: {{^}} | ^
   return increment(2) + zero() + sum() != 42;
 }
 // FRAME: remarks.c:{{.*}}: remark: {{[0-9]+}} stack bytes in function 'main' [-Rpass-analysis=prologepilog]

@@ -15,7 +15,7 @@
 
 namespace tp {
 
-/// A place in a source file. Without a file, Function is where it is.
+/// A place in a source file. Line and column are 0 if they are not known.
 struct SourcePlace {
   std::string File;
   unsigned Line = 0;
