@@ -105,8 +105,8 @@ void TPTargetLowering::configureMemory() {
   MaxGluedStoresPerMemcpy = 16;
   MaxStoresPerMemcpy = MaxStoresPerMemmove = 16;
   MaxStoresPerMemset = 32;
-  MaxStoresPerMemcpyOptSize = MaxStoresPerMemmoveOptSize = 8;
-  MaxStoresPerMemsetOptSize = 8;
+  MaxStoresPerMemcpyOptSize = MaxStoresPerMemmoveOptSize = 4;
+  MaxStoresPerMemsetOptSize = 4;
   MaxLoadsPerMemcmp = 8;
   MaxLoadsPerMemcmpOptSize = 4;
 }
@@ -117,8 +117,6 @@ void TPTargetLowering::configureControl() {
   setOperationAction({ISD::FRAMEADDR, ISD::RETURNADDR}, MVT::i32, Custom);
   setOperationAction(ISD::INTRINSIC_WO_CHAIN, MVT::Other, Custom);
   setOperationAction({ISD::TRAP, ISD::DEBUGTRAP}, MVT::Other, Legal);
-  // A jump table costs a load, the time of some forty compares and branches.
-  setMinimumJumpTableEntries(64);
 }
 
 //===----------------------------------------------------------------------===//
@@ -192,6 +190,17 @@ unsigned TPTargetLowering::getNumRegistersForCallingConv(
   if (VT == MVT::bf16)
     return 1;
   return TargetLowering::getNumRegistersForCallingConv(Context, CallConv, VT);
+}
+
+bool TPTargetLowering::isSuitableForJumpTable(const SwitchInst *Switch,
+                                              uint64_t NumCases, uint64_t Range,
+                                              ProfileSummaryInfo *PSI,
+                                              BlockFrequencyInfo *BFI) const {
+  // A jump table costs a load, the time of some forty compares and branches.
+  constexpr uint64_t LeastCases = 64;
+  return (NumCases >= LeastCases || Switch->getFunction()->hasOptSize()) &&
+         TargetLowering::isSuitableForJumpTable(Switch, NumCases, Range, PSI,
+                                                BFI);
 }
 
 Register TPTargetLowering::getExceptionPointerRegister(const Constant *) const {

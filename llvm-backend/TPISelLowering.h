@@ -82,6 +82,15 @@ public:
   bool isTruncateFree(Type *From, Type *To) const override;
   bool isTruncateFree(EVT From, EVT To) const override;
   bool isZExtFree(SDValue Val, EVT To) const override;
+  bool convertSelectOfConstantsToMath(EVT VT) const override {
+    return VT == MVT::i32;
+  }
+  bool convertSetCCLogicToBitwiseLogic(EVT VT) const override {
+    return VT.isScalarInteger();
+  }
+  bool isSuitableForJumpTable(const SwitchInst *Switch, uint64_t NumCases,
+                              uint64_t Range, ProfileSummaryInfo *PSI,
+                              BlockFrequencyInfo *BFI) const override;
   bool isCheapToSpeculateCtlz(Type *) const override { return true; }
   bool isCheapToSpeculateCttz(Type *) const override { return true; }
   bool isCtlzFast() const override { return true; }

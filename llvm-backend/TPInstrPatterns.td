@@ -135,8 +135,25 @@ def nonzeroSImm16 : ImmLeaf<i32, [{
   return Imm != 0 && isInt<16>(Imm) && isInt<16>(-Imm);
 }]>;
 
+def nonzeroUImm16 : ImmLeaf<i32, [{ return Imm != 0 && isUInt<16>(Imm); }]>;
+// x > b is !(x < b + 1), unless b + 1 overflows.
+def incrementable : ImmLeaf<i32, [{
+  return isInt<16>(Imm) && isInt<16>(Imm + 1);
+}]>;
+def incrementableUnsigned : ImmLeaf<i32, [{
+  return Imm != -1 && isInt<16>(Imm) && isInt<16>(Imm + 1);
+}]>;
+def Incremented : SDNodeXForm<imm, [{
+  return CurDAG->getSignedTargetConstant(N->getSExtValue() + 1, SDLoc(N),
+                                         MVT::i32);
+}]>;
+
 def : Pat<(i32 (seteq (i32 GPR:$a), 0)), (SLTIU GPR:$a, 1)>;
 def : Pat<(i32 (setne (i32 GPR:$a), 0)), (SLTU (i32 R0), GPR:$a)>;
+def : Pat<(i32 (setgt (i32 GPR:$a), incrementable:$b)),
+          (XORI (SLTI $a, (Incremented imm:$b)), 1)>;
+def : Pat<(i32 (setugt (i32 GPR:$a), incrementableUnsigned:$b)),
+          (XORI (SLTIU $a, (Incremented imm:$b)), 1)>;
 def : Pat<(i32 (seteq (i32 GPR:$a), nonzeroSImm16:$b)),
           (SLTIU (ADDI GPR:$a, (NegatedSImm16 imm:$b)), 1)>;
 def : Pat<(i32 (setne (i32 GPR:$a), nonzeroSImm16:$b)),
@@ -190,37 +207,57 @@ foreach node = [strict_fsetcc, strict_fsetccs] in {
 // Selects
 //===----------------------------------------------------------------------===//
 
+// A compare that costs a select nothing, or one instruction: what the
+// conditional move looks at, and whether the compare holds where that is zero.
+class SelectTest<dag condition, dag value, bit holdsForZero> {
+  dag Condition = condition;
+  dag Value = value;
+  bit HoldsForZero = holdsForZero;
+}
+
+defvar SelectTests = [
+  SelectTest<(seteq (i32 GPR:$a), 0), (ops GPR:$a), true>,
+  SelectTest<(setne (i32 GPR:$a), 0), (ops GPR:$a), false>,
+  SelectTest<(seteq (i32 GPR:$a), (i32 GPR:$b)), (ops (XOR $a, $b)), true>,
+  SelectTest<(setne (i32 GPR:$a), (i32 GPR:$b)), (ops (XOR $a, $b)), false>,
+  SelectTest<(setge (i32 GPR:$a), (i32 GPR:$b)), (ops (SLT $a, $b)), true>,
+  SelectTest<(setle (i32 GPR:$a), (i32 GPR:$b)), (ops (SLT $b, $a)), true>,
+  SelectTest<(setuge (i32 GPR:$a), (i32 GPR:$b)), (ops (SLTU $a, $b)), true>,
+  SelectTest<(setule (i32 GPR:$a), (i32 GPR:$b)), (ops (SLTU $b, $a)), true>,
+  SelectTest<(seteq (i32 GPR:$a), nonzeroUImm16:$b), (ops (XORI $a, (LowHalf imm:$b))), true>,
+  SelectTest<(setne (i32 GPR:$a), nonzeroUImm16:$b), (ops (XORI $a, (LowHalf imm:$b))), false>,
+  SelectTest<(setge (i32 GPR:$a), simm16:$b), (ops (SLTI $a, simm16:$b)), true>,
+  SelectTest<(setuge (i32 GPR:$a), simm16:$b), (ops (SLTIU $a, simm16:$b)), true>,
+  SelectTest<(setgt (i32 GPR:$a), incrementable:$b),
+             (ops (SLTI $a, (Incremented imm:$b))), true>,
+  SelectTest<(setugt (i32 GPR:$a), incrementableUnsigned:$b),
+             (ops (SLTIU $a, (Incremented imm:$b))), true>
+];
+
 multiclass SelectPatterns<ValueType type, RegisterClass valueClass,
                           Instruction ifNonzero, Instruction ifZero> {
-  def : Pat<(type (select (i32 (seteq (i32 GPR:$a), 0)), (type valueClass:$t),
-                          (type valueClass:$f))),
-            (ifZero valueClass:$f, valueClass:$t, GPR:$a)>;
-  def : Pat<(type (select (i32 (setne (i32 GPR:$a), 0)), (type valueClass:$t),
-                          (type valueClass:$f))),
-            (ifNonzero valueClass:$f, valueClass:$t, GPR:$a)>;
-  def : Pat<(type (select (i32 (seteq (i32 GPR:$a), (i32 GPR:$b))),
-                          (type valueClass:$t), (type valueClass:$f))),
-            (ifZero valueClass:$f, valueClass:$t, (XOR $a, $b))>;
-  def : Pat<(type (select (i32 (setne (i32 GPR:$a), (i32 GPR:$b))),
-                          (type valueClass:$t), (type valueClass:$f))),
-            (ifNonzero valueClass:$f, valueClass:$t, (XOR $a, $b))>;
-  // The negated orders cost no instruction: the other conditional move.
-  def : Pat<(type (select (i32 (setge (i32 GPR:$a), (i32 GPR:$b))),
-                          (type valueClass:$t), (type valueClass:$f))),
-            (ifZero valueClass:$f, valueClass:$t, (SLT $a, $b))>;
-  def : Pat<(type (select (i32 (setle (i32 GPR:$a), (i32 GPR:$b))),
-                          (type valueClass:$t), (type valueClass:$f))),
-            (ifZero valueClass:$f, valueClass:$t, (SLT $b, $a))>;
-  def : Pat<(type (select (i32 (setuge (i32 GPR:$a), (i32 GPR:$b))),
-                          (type valueClass:$t), (type valueClass:$f))),
-            (ifZero valueClass:$f, valueClass:$t, (SLTU $a, $b))>;
-  def : Pat<(type (select (i32 (setule (i32 GPR:$a), (i32 GPR:$b))),
-                          (type valueClass:$t), (type valueClass:$f))),
-            (ifZero valueClass:$f, valueClass:$t, (SLTU $b, $a))>;
+  foreach test = SelectTests in {
+    defvar move = !if(test.HoldsForZero, ifZero, ifNonzero);
+    def : Pat<(type (select (i32 test.Condition), (type valueClass:$t),
+                            (type valueClass:$f))),
+              !con((move valueClass:$f, valueClass:$t),
+                   !setdagop(test.Value, move))>;
+  }
 }
 
 defm : SelectPatterns<i32, GPR, MOVN, MOVZ>;
 defm : SelectPatterns<f32, FPR, MOVN_S, MOVZ_S>;
+
+// Moving r0 saves to copy it to the result before.
+let AddedComplexity = 10 in {
+  foreach test = SelectTests in {
+    defvar move = !if(test.HoldsForZero, MOVN, MOVZ);
+    def : Pat<(i32 (select (i32 test.Condition), (i32 GPR:$t), 0)),
+              !con((move GPR:$t, (i32 R0)), !setdagop(test.Value, move))>;
+  }
+  def : Pat<(i32 (select (i32 GPR:$condition), (i32 GPR:$t), 0)),
+            (MOVZ GPR:$t, (i32 R0), GPR:$condition)>;
+}
 
 //===----------------------------------------------------------------------===//
 // Conditional branches

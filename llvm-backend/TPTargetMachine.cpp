@@ -10,6 +10,7 @@
 #include "llvm-backend/TP.h"
 #include "llvm-backend/TPAtomicSizes.h"
 #include "llvm-backend/TPBuiltinAttributes.h"
+#include "llvm-backend/TPByValArguments.h"
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/TPMachineFunctionInfo.h"
 #include "llvm-backend/TPTargetTransformInfo.h"
@@ -101,12 +102,22 @@ void TPTargetMachine::registerPassBuilderCallbacks(PassBuilder &PB) {
   };
   PB.registerPipelineStartEPCallback(AddAttributes);
   PB.registerFullLinkTimeOptimizationEarlyEPCallback(AddAttributes);
+  auto WriteOutByVal = [](ModulePassManager &PM, OptimizationLevel Level,
+                          auto...) {
+    if (Level != OptimizationLevel::O0)
+      PM.addPass(TPByValArgumentsPass());
+  };
+  PB.registerPipelineStartEPCallback(WriteOutByVal);
+  PB.registerFullLinkTimeOptimizationEarlyEPCallback(WriteOutByVal);
   PB.registerPipelineParsingCallback(
       [](StringRef Name, ModulePassManager &PM,
          ArrayRef<PassBuilder::PipelineElement>) {
-        if (Name != "tp-builtin-attributes")
+        if (Name == "tp-builtin-attributes")
+          PM.addPass(TPBuiltinAttributesPass());
+        else if (Name == "tp-byval-arguments")
+          PM.addPass(TPByValArgumentsPass());
+        else
           return false;
-        PM.addPass(TPBuiltinAttributesPass());
         return true;
       });
 }
@@ -135,6 +146,12 @@ public:
     addPass(createTPArgumentVariablesPass());
     addPass(createAtomicExpandLegacyPass());
     TargetPassConfig::addIRPasses();
+  }
+
+  void addCodeGenPrepare() override {
+    if (getOptLevel() != CodeGenOptLevel::None)
+      addPass(createTypePromotionLegacyPass());
+    TargetPassConfig::addCodeGenPrepare();
   }
 
   bool addInstSelector() override {

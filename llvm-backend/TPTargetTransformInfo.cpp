@@ -12,7 +12,7 @@ using namespace llvm;
 
 TPTTIImpl::TPTTIImpl(const TPTargetMachine *TM, const Function &F)
     : BaseT(TM, F.getDataLayout()), ST(TM->getSubtargetImpl(F)),
-      TLI(ST->getTargetLowering()) {}
+      TLI(ST->getTargetLowering()), OptimizesSize(F.hasOptSize()) {}
 
 bool TPTTIImpl::isLoweredToCall(const Function *F) const {
   return TPBuiltin::getID(*F) == TPBuiltin::ID::None &&
@@ -156,7 +156,19 @@ InstructionCost TPTTIImpl::getArithmeticInstrCost(
                                        CxtI);
 }
 
-void TPTTIImpl::getUnrollingPreferences(Loop *, ScalarEvolution &,
+static bool hasCall(const Loop &L, const TPTTIImpl &Costs) {
+  return any_of(L.blocks(), [&](const BasicBlock *Block) {
+    return any_of(*Block, [&](const Instruction &I) {
+      const auto *Call = dyn_cast<CallBase>(&I);
+      if (!Call || Call->isInlineAsm())
+        return false;
+      const Function *Callee = Call->getCalledFunction();
+      return !Callee || Costs.isLoweredToCall(Callee);
+    });
+  });
+}
+
+void TPTTIImpl::getUnrollingPreferences(Loop *L, ScalarEvolution &,
                                         TTI::UnrollingPreferences &UP,
                                         OptimizationRemarkEmitter *) const {
   // Unrolling lets loads overlap and costs no instruction fetches, but more
@@ -164,7 +176,8 @@ void TPTTIImpl::getUnrollingPreferences(Loop *, ScalarEvolution &,
   UP.Threshold = 300;
   UP.PartialThreshold = 100;
   UP.OptSizeThreshold = UP.PartialOptSizeThreshold = 0;
-  UP.Partial = true;
+  // Loads do not overlap across calls.
+  UP.Partial = !hasCall(*L, *this);
   UP.Runtime = false;
   UP.UpperBound = true;
   UP.DefaultUnrollRuntimeCount = 4;

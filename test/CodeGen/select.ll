@@ -68,3 +68,93 @@ define i32 @float_chooses_int(float %x, float %y, i32 %a, i32 %b) {
   %r = select i1 %c, i32 %a, i32 %b
   ret i32 %r
 }
+
+; Zero is what is moved: r0 needs no copy.
+define i32 @or_zero(i32 %c, i32 %a) {
+; CHECK-LABEL: or_zero:
+; CHECK: move r2, r5
+; CHECK-NEXT: movz r2, r0, r4
+; CHECK-NEXT: ret
+  %t = icmp ne i32 %c, 0
+  %r = select i1 %t, i32 %a, i32 0
+  ret i32 %r
+}
+define i32 @positive_part(i32 %a) {
+; CHECK-LABEL: positive_part:
+; CHECK: slti r12, r4, 1
+; CHECK-NEXT: movn r4, r0, r12
+; CHECK-NEXT: mul r2, r4, r4
+; CHECK-NEXT: ret
+  %r = call i32 @llvm.smax.i32(i32 %a, i32 0)
+  %d = mul i32 %r, %r
+  ret i32 %d
+}
+declare i32 @llvm.smax.i32(i32, i32)
+
+; Compares with a constant: one instruction, and the other move where it is of
+; the opposite condition.
+define i32 @above_constant(i32 %c, i32 %a, i32 %b) {
+; CHECK-LABEL: above_constant:
+; CHECK: move r2, r6
+; CHECK-NEXT: slti r12, r4, 100
+; CHECK-NEXT: movz r2, r5, r12
+; CHECK-NEXT: ret
+  %t = icmp sgt i32 %c, 99
+  %r = select i1 %t, i32 %a, i32 %b
+  ret i32 %r
+}
+define float @above_unsigned_constant(i32 %c, float %a, float %b) {
+; CHECK-LABEL: above_unsigned_constant:
+; CHECK: mov_s f0, f5
+; CHECK-NEXT: sltiu r12, r4, 100
+; CHECK-NEXT: movz_s f0, f4, r12
+; CHECK-NEXT: ret
+  %t = icmp ugt i32 %c, 99
+  %r = select i1 %t, float %a, float %b
+  ret float %r
+}
+define i32 @equal_constant(i32 %c, i32 %a, i32 %b) {
+; CHECK-LABEL: equal_constant:
+; CHECK: move r2, r6
+; CHECK-NEXT: xori r12, r4, 7
+; CHECK-NEXT: movz r2, r5, r12
+; CHECK-NEXT: ret
+  %t = icmp eq i32 %c, 7
+  %r = select i1 %t, i32 %a, i32 %b
+  ret i32 %r
+}
+; The next number is not one of 16 bits.
+define i32 @above_largest(i32 %c, i32 %a, i32 %b) {
+; CHECK-LABEL: above_largest:
+; CHECK: addi r12, r0, 32767
+; CHECK-NEXT: move r2, r6
+; CHECK-NEXT: slt r12, r12, r4
+; CHECK-NEXT: movn r2, r5, r12
+; CHECK-NEXT: ret
+  %t = icmp sgt i32 %c, 32767
+  %r = select i1 %t, i32 %a, i32 %b
+  ret i32 %r
+}
+; Constants by arithmetic.
+define i32 @sixteen_or_zero(float %x) {
+; CHECK-LABEL: sixteen_or_zero:
+; CHECK: mtc1 f12, r0
+; CHECK-NEXT: c_olt_s r12, f4, f12
+; CHECK-NEXT: sll r2, r12, 4
+; CHECK-NEXT: ret
+  %t = fcmp olt float %x, 0.0
+  %r = select i1 %t, i32 16, i32 0
+  ret i32 %r
+}
+define i1 @either_differs(i32 %a, i32 %b, i32 %c) {
+; CHECK-LABEL: either_differs:
+; CHECK: xor r12, r4, r5
+; CHECK-NEXT: not r13, r6
+; CHECK-NEXT: or r12, r12, r13
+; CHECK-NEXT: sltu r2, r0, r12
+; CHECK-NEXT: ret
+  %x = icmp ne i32 %a, %b
+  %y = icmp ne i32 %c, -1
+  %r = or i1 %x, %y
+  ret i1 %r
+}
