@@ -85,14 +85,14 @@ define void @copy(ptr %p, ptr %q) optsize {
 }
 define void @short_copy(ptr %p, ptr %q) optsize {
 ; CHECK-LABEL: short_copy:
-; CHECK: lw r12, 12(r5)
-; CHECK-NEXT: lw r13, 8(r5)
-; CHECK-NEXT: lw r14, 4(r5)
-; CHECK-NEXT: lw r15, 0(r5)
-; CHECK-NEXT: sw r12, 12(r4)
-; CHECK-NEXT: sw r13, 8(r4)
-; CHECK-NEXT: sw r14, 4(r4)
-; CHECK-NEXT: sw r15, 0(r4)
+; CHECK: lw r15, 12(r5)
+; CHECK-NEXT: lw r14, 8(r5)
+; CHECK-NEXT: lw r13, 4(r5)
+; CHECK-NEXT: lw r12, 0(r5)
+; CHECK-NEXT: sw r15, 12(r4)
+; CHECK-NEXT: sw r14, 8(r4)
+; CHECK-NEXT: sw r13, 4(r4)
+; CHECK-NEXT: sw r12, 0(r4)
 ; CHECK-NEXT: ret
   call void @llvm.memcpy.p0.p0.i32(ptr align 4 %p, ptr align 4 %q, i32 16, i1 false)
   ret void
