@@ -36,7 +36,7 @@ static void put(float X) {
   put(static_cast<double>(std::Name(static_cast<long double>(X))));            \
   put(std::Name(I));                                                           \
   static_assert(std::is_same_v<decltype(std::Name(F)), float>);                \
-  static_assert(std::is_same_v<decltype(std::Name(I)), double>);
+  static_assert(std::is_same_v<decltype(std::Name(I)), double>)
 
 #define PUT_BINARY(Name)                                                       \
   std::printf("\n" #Name);                                                     \
@@ -44,7 +44,7 @@ static void put(float X) {
   put(std::Name(F, G));                                                        \
   put(std::Name(F, Y));                                                        \
   put(std::Name(I, Y));                                                        \
-  static_assert(std::is_same_v<decltype(std::Name(F, Y)), double>);
+  static_assert(std::is_same_v<decltype(std::Name(F, Y)), double>)
 
 static void putUnary(double X) {
   volatile double VX = X;
@@ -52,19 +52,40 @@ static void putUnary(double X) {
   float F = static_cast<float>(X);
   int I = std::fabs(X) < 1e6 ? static_cast<int>(X) : 3;
   std::printf("\n--- %.9g", X);
-  PUT_UNARY(acos)
-  PUT_UNARY(acosh)
-  PUT_UNARY(asin) PUT_UNARY(asinh) PUT_UNARY(atan) PUT_UNARY(atanh)
-      PUT_UNARY(cbrt) PUT_UNARY(ceil) PUT_UNARY(cos) PUT_UNARY(cosh)
-          PUT_UNARY(erf) PUT_UNARY(erfc) PUT_UNARY(exp) PUT_UNARY(exp2)
-              PUT_UNARY(expm1) PUT_UNARY(fabs) PUT_UNARY(floor)
-                  PUT_UNARY(lgamma) PUT_UNARY(log) PUT_UNARY(log10)
-                      PUT_UNARY(log1p) PUT_UNARY(log2) PUT_UNARY(logb)
-                          PUT_UNARY(nearbyint) PUT_UNARY(rint) PUT_UNARY(round)
-                              PUT_UNARY(sin) PUT_UNARY(sinh) PUT_UNARY(sqrt)
-                                  PUT_UNARY(tan) PUT_UNARY(tanh)
-                                      PUT_UNARY(tgamma)
-                                          PUT_UNARY(trunc) int Exponent = 0;
+  PUT_UNARY(acos);
+  PUT_UNARY(acosh);
+  PUT_UNARY(asin);
+  PUT_UNARY(asinh);
+  PUT_UNARY(atan);
+  PUT_UNARY(atanh);
+  PUT_UNARY(cbrt);
+  PUT_UNARY(ceil);
+  PUT_UNARY(cos);
+  PUT_UNARY(cosh);
+  PUT_UNARY(erf);
+  PUT_UNARY(erfc);
+  PUT_UNARY(exp);
+  PUT_UNARY(exp2);
+  PUT_UNARY(expm1);
+  PUT_UNARY(fabs);
+  PUT_UNARY(floor);
+  PUT_UNARY(lgamma);
+  PUT_UNARY(log);
+  PUT_UNARY(log10);
+  PUT_UNARY(log1p);
+  PUT_UNARY(log2);
+  PUT_UNARY(logb);
+  PUT_UNARY(nearbyint);
+  PUT_UNARY(rint);
+  PUT_UNARY(round);
+  PUT_UNARY(sin);
+  PUT_UNARY(sinh);
+  PUT_UNARY(sqrt);
+  PUT_UNARY(tan);
+  PUT_UNARY(tanh);
+  PUT_UNARY(tgamma);
+  PUT_UNARY(trunc);
+  int Exponent = 0;
   double Whole;
   std::printf("\nparts");
   put(std::frexp(X, &Exponent));
@@ -89,11 +110,17 @@ static void putBinary(double X, double Y) {
   float F = static_cast<float>(X), G = static_cast<float>(Y);
   int I = static_cast<int>(X);
   std::printf("\n--- %.9g %.9g", X, Y);
-  PUT_BINARY(atan2)
-  PUT_BINARY(copysign)
-  PUT_BINARY(fdim) PUT_BINARY(fmax) PUT_BINARY(fmin) PUT_BINARY(fmod)
-      PUT_BINARY(hypot) PUT_BINARY(pow) PUT_BINARY(remainder)
-          PUT_BINARY(nextafter) int Quotient = 0;
+  PUT_BINARY(atan2);
+  PUT_BINARY(copysign);
+  PUT_BINARY(fdim);
+  PUT_BINARY(fmax);
+  PUT_BINARY(fmin);
+  PUT_BINARY(fmod);
+  PUT_BINARY(hypot);
+  PUT_BINARY(pow);
+  PUT_BINARY(remainder);
+  PUT_BINARY(nextafter);
+  int Quotient = 0;
   std::printf("\nothers");
   put(std::remquo(X, Y, &Quotient));
   std::printf(" %d", std::abs(Quotient) & 7);
