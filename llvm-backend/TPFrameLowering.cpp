@@ -119,6 +119,15 @@ void TPFrameLowering::emitEpilogue(MachineFunction &MF,
   CFI.buildDefCFAOffset(0);
 }
 
+// Before a block without the frame that lies behind one with it.
+void TPFrameLowering::resetCFIToInitialState(MachineBasicBlock &MBB) const {
+  CFIInstBuilder CFI(MBB, MBB.begin(), MachineInstr::NoFlags);
+  CFI.buildDefCFA(TP::R29, 0);
+  for (const CalleeSavedInfo &Info :
+       MBB.getParent()->getFrameInfo().getCalleeSavedInfo())
+    CFI.buildRestore(Info.getReg());
+}
+
 bool TPFrameLowering::spillCalleeSavedRegisters(
     MachineBasicBlock &MBB, MachineBasicBlock::iterator I,
     ArrayRef<CalleeSavedInfo> Saved, const TargetRegisterInfo *TRI) const {

@@ -56,6 +56,7 @@ public:
     return true;
   }
   bool enableCFIFixup(const MachineFunction &) const override { return true; }
+  void resetCFIToInitialState(MachineBasicBlock &MBB) const override;
   int getInitialCFAOffset(const MachineFunction &) const override { return 0; }
   Register getInitialCFARegister(const MachineFunction &MF) const override;
 
