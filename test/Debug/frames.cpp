@@ -56,6 +56,23 @@ NOINLINE int shrinkWrapped(int A) {
   return leaf(B) + A;
 }
 
+[[noreturn]] NOINLINE void stop(int A) {
+  while (true)
+    Sink = A;
+}
+// Code without the frame lies behind code with it.
+NOINLINE int frameInTheMiddle(int A) {
+  int B = A * 3;
+  if (__builtin_expect(B == 6, 1)) {
+    int C = leaf(A);
+    leaf(B + C);
+    stop(C);
+  }
+  for (int I = 0; I < A; ++I)
+    B ^= B << 1;
+  return B;
+}
+
 NOINLINE int earlyReturns(int A, int B) {
   if (leaf(A) & 1)
     return A;
@@ -79,6 +96,7 @@ int main(int Count, char **) {
   Sum += variable(7 * Count, 1, 2, 3, 4, 5, 6, 7, 8);
   Sum += int(floats(float(Count), 2.5f));
   Sum += shrinkWrapped(Count) + shrinkWrapped(10 * Count);
+  Sum += frameInTheMiddle(5 * Count);
   for (int I = 0; I < 4; ++I)
     Sum += earlyReturns(I * Count, I + 1);
   Sum += recursion(5 * Count) + tailCall(Count);
