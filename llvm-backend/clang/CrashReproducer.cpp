@@ -146,8 +146,8 @@ std::string Reproducer::createFile(StringRef Stem, StringRef Extension) {
       Jobs.getArgs().getLastArgValue(OPT_fcrash_diagnostics_dir));
   if (Folder.empty())
     sys::path::system_temp_directory(/*ErasedOnReboot=*/true, Folder);
-  else
-    sys::fs::create_directories(Folder);
+  else if (sys::fs::create_directories(Folder))
+    return {};
   sys::path::append(Folder, Stem + "-%%%%%%" + Extension);
   SmallString<128> Path;
   if (sys::fs::createUniqueFile(Folder, Path))
@@ -171,7 +171,7 @@ void Reproducer::preprocess(const Command &Job) {
   const std::optional<StringRef> Redirections[] = {"", "", ""};
   if (sys::ExecuteAndWait(ToolPath, Words, /*Env=*/std::nullopt,
                           Redirections) != 0) {
-    sys::fs::remove(Output);
+    (void)sys::fs::remove(Output);
     return;
   }
   Sources[Source] = Output;
