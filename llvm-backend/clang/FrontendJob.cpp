@@ -8,6 +8,7 @@
 #include "llvm-backend/TPDataLayout.h"
 #include "llvm-backend/clang/ClangTargetInfo.h"
 #include "llvm-backend/clang/TimeReports.h"
+#include "llvm-backend/clang/link/AssemblyMessages.h"
 #include "llvm-backend/clang/link/FunctionPlaces.h"
 #include "clang/AST/Decl.h"
 #include "clang/Basic/DiagnosticFrontend.h"
@@ -215,6 +216,15 @@ private:
 
 } // namespace
 
+static SourcePlace presumedPlace(const CompilerInstance &Instance,
+                                 SourceLocation Location) {
+  const PresumedLoc Place =
+      Instance.getSourceManager().getPresumedLoc(Location);
+  if (!Place.isValid())
+    return {};
+  return {Place.getFilename(), Place.getLine(), Place.getColumn()};
+}
+
 void UnitAction::describe(Function &F, SourceLocation Location) {
   const CompilerInstance &Instance = getCompilerInstance();
   const DiagnosticsEngine &Diags = Instance.getDiagnostics();
@@ -222,24 +232,28 @@ void UnitAction::describe(Function &F, SourceLocation Location) {
       Diags.getDiagnosticLevel(diag::warn_fe_frame_larger_than, Location);
   if (Level == DiagnosticsEngine::Ignored)
     F.removeFnAttr("warn-stack-size");
-  const PresumedLoc Place =
-      Instance.getSourceManager().getPresumedLoc(Location);
-  if (Place.isValid())
-    setFunctionPlace(F,
-                     {{Place.getFilename(), Place.getLine(), Place.getColumn()},
-                      Level == DiagnosticsEngine::Error});
+  const SourcePlace Place = presumedPlace(Instance, Location);
+  if (!Place.File.empty())
+    setFunctionPlace(F, {Place, Level == DiagnosticsEngine::Error});
 }
 
 void UnitAction::EndSourceFileAction() {
   // IR comes without declarations.
   if (getCurrentFileKind().getLanguage() != Language::LLVM_IR)
     if (CodeGenerator *Generator = getCodeGenerator())
-      if (llvm::Module *Unit = Generator->GetModule())
+      if (llvm::Module *Unit = Generator->GetModule()) {
+        setAssemblyPlaces(*Unit, [&](uint64_t Location) {
+          return presumedPlace(
+              getCompilerInstance(),
+              SourceLocation::getFromRawEncoding(
+                  static_cast<SourceLocation::UIntTy>(Location)));
+        });
         for (Function &F : *Unit)
           if (!F.isDeclaration())
             if (const Decl *Source =
                     Generator->GetDeclForMangledName(F.getName()))
               describe(F, Source->getLocation());
+      }
   EmitLLVMOnlyAction::EndSourceFileAction();
 }
 

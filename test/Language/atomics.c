@@ -86,6 +86,17 @@ int main(void) {
   bool First = atomic_flag_test_and_set(&Flag), Second = atomic_flag_test_and_set(&Flag);
   atomic_flag_clear(&Flag);
   printf("%d %d %d\n", First, Second, atomic_flag_test_and_set(&Flag));
+  int Least = 3, Most = 3;
+  uint16_t Half = 9;
+  int64_t Wide = 5;
+  __atomic_fetch_max(&Most, 5, __ATOMIC_SEQ_CST);
+  __atomic_fetch_min(&Least, -5, __ATOMIC_SEQ_CST);
+  __atomic_fetch_min(&Half, 2, __ATOMIC_RELAXED);
+  __atomic_fetch_max(&Wide, 1ll << 40, __ATOMIC_SEQ_CST);
+  printf("%d %d %d %lld\n", Most, Least, Half, (long long)Wide);
+  __atomic_fetch_add(&F, 2.0f, __ATOMIC_SEQ_CST);
+  __atomic_fetch_sub(&D, 2.0, __ATOMIC_SEQ_CST);
+  printf("%g %g\n", F, D);
   atomic_thread_fence(memory_order_seq_cst);
   atomic_signal_fence(memory_order_seq_cst);
   printf("%d\n", atomic_is_lock_free(&I32Global));

@@ -29,6 +29,8 @@ def run(command, seconds=120):
         return subprocess.run(
             command, capture_output=True, timeout=seconds, check=False
         )
+    except OSError as error:
+        raise Failure(f"{command[0]}: {error.strerror}") from None
     except subprocess.TimeoutExpired:
         raise Failure(f"{shlex.join(command)}\nran for {seconds} s") from None
 

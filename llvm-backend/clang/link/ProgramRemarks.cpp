@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "llvm-backend/clang/link/ProgramRemarks.h"
+#include "llvm-backend/clang/link/AssemblyMessages.h"
 #include "llvm-backend/clang/link/FunctionPlaces.h"
 #include "llvm/Demangle/Demangle.h"
 #include "llvm/IR/DiagnosticPrinter.h"
@@ -25,9 +26,10 @@ static std::optional<Regex> compile(const std::string &Pattern) {
   return Regex(Pattern);
 }
 
-ProgramRemarks::ProgramRemarks(LinkDiagnostics &Diags,
+ProgramRemarks::ProgramRemarks(const llvm::Module &Program,
+                               LinkDiagnostics &Diags,
                                const RemarkPatterns &Patterns)
-    : Diags(Diags), Passed(compile(Patterns.Passed)),
+    : Program(Program), Diags(Diags), Passed(compile(Patterns.Passed)),
       Missed(compile(Patterns.Missed)), Analysis(compile(Patterns.Analysis)) {}
 
 bool ProgramRemarks::isPassedOptRemarkEnabled(StringRef Pass) const {
@@ -96,6 +98,8 @@ bool ProgramRemarks::handleDiagnostics(const DiagnosticInfo &Info) {
     reportRemark(*Remark);
     return true;
   }
+  if (reportAssemblyMessage(Info, Program, Diags))
+    return true;
   std::string Message;
   raw_string_ostream Stream(Message);
   DiagnosticPrinterRawOStream Printer(Stream);

@@ -12,6 +12,7 @@
 #include "llvm/IR/DiagnosticHandler.h"
 #include "llvm/IR/DiagnosticInfo.h"
 #include "llvm/IR/Function.h"
+#include "llvm/IR/Module.h"
 #include "llvm/Support/Regex.h"
 
 #include <optional>
@@ -25,7 +26,9 @@ void silenceRemarks(llvm::Function &F);
 /// as the linker's own messages.
 class ProgramRemarks final : public llvm::DiagnosticHandler {
 public:
-  ProgramRemarks(LinkDiagnostics &Diags, const RemarkPatterns &Patterns);
+  /// \p Program is what the messages are about.
+  ProgramRemarks(const llvm::Module &Program, LinkDiagnostics &Diags,
+                 const RemarkPatterns &Patterns);
 
   bool handleDiagnostics(const llvm::DiagnosticInfo &Info) override;
   bool isPassedOptRemarkEnabled(llvm::StringRef Pass) const override;
@@ -37,6 +40,7 @@ private:
   void reportRemark(const llvm::DiagnosticInfoOptimizationBase &Remark);
   void reportFrame(const llvm::DiagnosticInfoStackSize &Frame);
 
+  const llvm::Module &Program;
   LinkDiagnostics &Diags;
   std::optional<llvm::Regex> Passed, Missed, Analysis;
 };

@@ -38,7 +38,7 @@ WholeProgram::WholeProgram(LLVMContext &Context, const ProgramReports &Reports,
     : Reports(Reports), Diags(Diags),
       Program(std::make_unique<Module>("program", Context)) {
   Context.setDiagnosticHandler(
-      std::make_unique<ProgramRemarks>(Diags, Reports.Remarks));
+      std::make_unique<ProgramRemarks>(*Program, Diags, Reports.Remarks));
   Program->setTargetTriple(Triple(TPTriple));
   Program->setDataLayout(TPDataLayout);
 }
