@@ -35,27 +35,59 @@ static MemoryEffects withCopies(MemoryEffects Effects) {
   return Effects | MemoryEffects::argMemOnly();
 }
 
-/// Whether \p Argument is a temporary that is made for this call alone: all
-/// that anyone does with it is to write it, and the call reads it.
+namespace {
+/// What an instruction does with an object of its function.
+enum class Access { None, Write, Other };
+} // namespace
+
+/// \p Use is one of the object's address. Only the write of a whole struct of
+/// \p Bytes counts as one.
+static Access getAccess(const Use &Use, uint64_t Bytes) {
+  const auto *User = cast<Instruction>(Use.getUser());
+  if (User->isLifetimeStartOrEnd())
+    return Access::None;
+  if (const auto *Copy = dyn_cast<MemTransferInst>(User)) {
+    const auto *Length = dyn_cast<ConstantInt>(Copy->getLength());
+    return !Copy->isVolatile() && &Copy->getRawDestUse() == &Use && Length &&
+                   Length->getValue().uge(Bytes)
+               ? Access::Write
+               : Access::Other;
+  }
+  const auto *Call = dyn_cast<CallInst>(User);
+  if (!Call || !Call->isArgOperand(&Use))
+    return Access::Other;
+  const unsigned Number = Call->getArgOperandNo(&Use);
+  if (!Call->paramHasAttr(Number, Attribute::StructRet))
+    return Access::Other;
+  const TypeSize Written = Call->getDataLayout().getTypeAllocSize(
+      Call->getParamStructRetType(Number));
+  return Written >= Bytes ? Access::Write : Access::Other;
+}
+
+/// Whether argument \p Number is a temporary that is made anew for each
+/// execution of \p Call, and nobody else reads: then it may itself be what the
+/// callee changes.
 static bool isTemporaryOf(const CallInst &Call, unsigned Number) {
   const auto *Temporary = dyn_cast<AllocaInst>(Call.getArgOperand(Number));
   if (!Temporary || !Temporary->isStaticAlloca() ||
       Temporary->getAlign() <
-          std::max(Call.getParamAlign(Number).valueOrOne(), Align(4)))
+          std::max(Call.getParamAlign(Number).valueOrOne(), Align(4)) ||
+      Call.getFunction()->callsFunctionThatReturnsTwice())
     return false;
-  return all_of(Temporary->uses(), [&](const Use &Use) {
+  const uint64_t Bytes =
+      Call.getDataLayout().getTypeAllocSize(Call.getParamByValType(Number));
+  bool IsNew = false;
+  for (const Use &Use : Temporary->uses()) {
+    if (&Use == &Call.getArgOperandUse(Number))
+      continue;
+    const Access Kind = getAccess(Use, Bytes);
     const auto *User = cast<Instruction>(Use.getUser());
-    if (User->isLifetimeStartOrEnd())
-      return true;
-    if (const auto *Copy = dyn_cast<MemTransferInst>(User))
-      return !Copy->isVolatile() && &Copy->getRawDestUse() == &Use;
-    const auto *UserCall = dyn_cast<CallBase>(User);
-    if (!UserCall || !UserCall->isArgOperand(&Use))
+    if (Kind == Access::Other || User == &Call)
       return false;
-    const unsigned UserNumber = UserCall->getArgOperandNo(&Use);
-    return (UserCall == &Call && UserNumber == Number) ||
-           UserCall->paramHasAttr(UserNumber, Attribute::StructRet);
-  });
+    IsNew |= Kind == Access::Write && User->getParent() == Call.getParent() &&
+             User->comesBefore(&Call);
+  }
+  return IsNew;
 }
 
 static Value *createCopy(CallInst &Call, unsigned Number) {
