@@ -223,7 +223,8 @@ class Frame:
     def _number(self, kind, data):
         encoding = kind.attributes.get("DW_AT_encoding", "")
         if encoding == "DW_ATE_float":
-            return struct.unpack({2: "<e", 4: "<f", 8: "<d"}[len(data)], data)[0]
+            form = {2: "<e", 4: "<f", 8: "<d"}[len(data)]
+            return struct.unpack(form, data)[0]
         return int.from_bytes(data, "little", signed="_signed" in encoding)
 
 

@@ -104,7 +104,9 @@ class LineTable:
             name = re.match(r'\s+name: "(.*)"', line)
             if name and number is not None:
                 files[number] = name[1]
-            row = re.match(r"0x(\w+)\s+(\d+)\s+\d+\s+(\d+)\s.*?([a-z].*)?$", line)
+            row = re.match(
+                r"0x(\w+)\s+(\d+)\s+\d+\s+(\d+)\s.*?([a-z].*)?$", line
+            )
             if row:
                 self.rows.append(
                     (
@@ -135,7 +137,9 @@ class FrameTable:
                 end = int(entry[1], 16)
             elif " CIE" in line or line.endswith(" CIE"):
                 end = None
-            row = re.match(r"\s+0x(\w+): CFA=reg(\d+)([+-]\d+)?(?:: (.*))?", line)
+            row = re.match(
+                r"\s+0x(\w+): CFA=reg(\d+)([+-]\d+)?(?:: (.*))?", line
+            )
             if row and end is not None:
                 rules = {
                     int(register): int(offset or 0)

@@ -90,8 +90,11 @@ class Evaluator:
     def _step(self, name, operand):
         push = self.stack.append
         register = re.fullmatch(r"b?reg(\d+)", name)
-        if register or name in ("regx", "bregx"):
-            self._register(name, int(register[1]) if register else None, operand)
+        if register:
+            self._register(name, int(register[1]), operand)
+        elif name in ("regx", "bregx"):
+            number, _, offset = operand.partition(" ")
+            self._register(name, int(number, 0), offset)
         elif re.fullmatch(r"lit\d+", name):
             push(int(name[3:]))
         elif re.fullmatch(r"const\w+", name):
@@ -112,13 +115,10 @@ class Evaluator:
         else:
             self._special(name, operand)
 
-    def _register(self, name, number, operand):
-        words = operand.split()
-        if number is None:
-            number = int(words.pop(0), 0)
+    def _register(self, name, number, offset):
         value = self.frame.registers[number]
         if name.startswith("breg"):
-            self.stack.append((value + int(words[0], 0)) & MASK)
+            self.stack.append((value + int(offset, 0)) & MASK)
         else:
             self.stack.append(value)
             self.kind = "value"

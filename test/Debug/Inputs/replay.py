@@ -66,7 +66,7 @@ class Thread:
 
     def _apply_store(self, text):
         store = re.match(
-            r"(sb|sh|sw|swc1|swx?c1|sbx|shx|swx)\s+([rf]\d+), ([^(]+)\((r\d+)\)",
+            r"(sbx?|shx?|swx?|swx?c1)\s+([rf]\d+), ([^(]+)\((r\d+)\)",
             text,
         )
         if not store:
