@@ -130,9 +130,16 @@ static const MachineOperand *getWord(const MachineInstr &MI, unsigned OpNo,
 
 bool TPAsmPrinter::PrintAsmOperand(const MachineInstr *MI, unsigned OpNo,
                                    const char *ExtraCode, raw_ostream &OS) {
+  const MachineOperand *Operand = &MI->getOperand(OpNo);
+  // The memory that a register points to.
+  if (ExtraCode && StringRef(ExtraCode) == "a" && Operand->isReg()) {
+    OS << "0(";
+    printOperand(*Operand, OS);
+    OS << ')';
+    return false;
+  }
   if (!AsmPrinter::PrintAsmOperand(MI, OpNo, ExtraCode, OS))
     return false;
-  const MachineOperand *Operand = &MI->getOperand(OpNo);
   if (ExtraCode && ExtraCode[0]) {
     if (ExtraCode[1])
       return true;

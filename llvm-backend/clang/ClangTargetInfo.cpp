@@ -154,6 +154,9 @@ bool ClangTargetInfo::validateAsmConstraint(const char *&Name,
   case 'f': // A float register.
     Info.setAllowsRegister();
     return true;
+  case 's': // The address of a symbol.
+    Info.setAllowsRegister();
+    return true;
   case 'I': // A signed 16-bit immediate.
     Info.setRequiresImmediate(-32768, 32767);
     return true;

@@ -83,6 +83,16 @@ __attribute__((noinline)) int symbol(void) {
   ASM("lui %0, %%hi(%1)\n\tlw %0, %%lo(%1)(%0)", R = Array[3], "=r"(R) : "i"(&Array[3]));
   return R;
 }
+__attribute__((noinline)) int addresses(int *P) {
+  int R, S, T, U, Local[2] = {4, P[1]};
+  ASM("lw %0, %1", R = Local[1], "=r"(R) : "o"(Local[1]));
+  ASM("lw %0, %1", S = Global, "=r"(S) : "V"(Global));
+  ASM("lw %0, %a1", T = P[2], "=r"(T) : "r"(&P[2]), "m"(P[2]));
+  ASM("lw %0, 0(%1)", U = P[3], "=r"(U) : "p"(&P[3]), "m"(P[3]));
+  ASM("lui r8, %%hi(%1)\n\tlw r8, %%lo(%1)(r8)\n\tadd %0, %0, r8", R += Array[0],
+      "+r"(R) : "s"(&Array[0]), "m"(Array[0]) : "r8");
+  return R + 2 * S + 3 * T + 5 * U;
+}
 __attribute__((noinline)) int call(int V) {
 #ifdef __tp__
   register int Argument __asm__("r4") = V;
@@ -179,6 +189,7 @@ int main(void) {
   printf("%d %d %d\n", Global, Array[2], call(21));
   printf("%lld %g\n", (long long)wide(0xffffffffll, 5), doubles(-2.5));
   int64_t Value = -123456789012345;
+  printf("%d\n", addresses(Array));
   printf("%lld\n", (long long)wideMemory(&Value));
   printf("%d %d\n", zero(3), symbol());
   printf("%d %d %d %d %d\n", jump(1, 2), jump(2, 2), jump(3, 2), jumpWithResult(3), jumpWithResult(-30));
