@@ -32,8 +32,12 @@ RISCV = ["--target=riscv32-unknown-elf", "-march=rv32imf_zba_zbb",
 
 
 def run(command):
-    result = subprocess.run([str(word) for word in command], text=True,
-                            capture_output=True, check=False)
+    try:
+        result = subprocess.run([str(word) for word in command], text=True,
+                                capture_output=True, check=False)
+    except OSError as error:
+        sys.exit(f"error: {error}; build everything first (scripts/build.sh), "
+                 "and install what is missing")
     if result.returncode != 0:
         sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
     return result

@@ -28,8 +28,12 @@ BUILDER = ["kernels/bvhbuilder/BuildBvh.cpp", "kernels/bvhbuilder/SceneBvh.cpp",
 
 
 def run(command):
-    result = subprocess.run([str(word) for word in command], text=True,
-                            capture_output=True, check=False, cwd=ROOT)
+    try:
+        result = subprocess.run([str(word) for word in command], text=True,
+                                capture_output=True, check=False, cwd=ROOT)
+    except OSError as error:
+        sys.exit(f"error: {error}; build everything first (scripts/build.sh), "
+                 "and install what is missing")
     if result.returncode != 0:
         sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
 
