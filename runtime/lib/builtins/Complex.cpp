@@ -99,26 +99,30 @@ Parts<T> specialQuotient(Parts<T> A, Parts<T> B, Parts<T> Z) {
   return Z;
 }
 
-/// 2^-n, where B's larger part is in [2^n, 2^(n+1)); 1 for zero, infinities and
-/// NaN. The least n gives 2^1023, which suffices too.
-double scaleOf(Parts<double> B) {
-  double Largest = __builtin_fabs(B.Real) > __builtin_fabs(B.Imaginary)
-                       ? __builtin_fabs(B.Real)
-                       : __builtin_fabs(B.Imaginary);
-  const uint64_t Exponent = __builtin_bit_cast(uint64_t, Largest) >> 52;
-  if (Largest == 0 || Exponent == 2047)
-    return 1;
-  const uint64_t Inverse = Exponent == 0 ? 2046 : 2046 - Exponent;
-  return Inverse == 0 ? 0x1p-1023 : __builtin_bit_cast(double, Inverse << 52);
+/// Makes the larger part of \p Z one of [1, 2) by a power of two, whose
+/// exponent it returns. Zeros, infinities and NaN stay.
+int normalize(Parts<double> &Z) {
+  const double Real = __builtin_fabs(Z.Real);
+  const double Imaginary = __builtin_fabs(Z.Imaginary);
+  const double Largest = Real > Imaginary ? Real : Imaginary;
+  if (Largest == 0 || !isFinite(Z))
+    return 0;
+  const int Exponent = __builtin_ilogb(Largest);
+  Z = {__builtin_scalbn(Z.Real, -Exponent),
+       __builtin_scalbn(Z.Imaginary, -Exponent)};
+  return Exponent;
 }
 
-Parts<double> quotient(Parts<double> A, Parts<double> B) {
-  const double Scale = scaleOf(B);
-  const Parts<double> C = {B.Real * Scale, B.Imaginary * Scale};
-  const double Norm = C.Real * C.Real + C.Imaginary * C.Imaginary;
-  Parts<double> Z = {
-      (A.Real * C.Real + A.Imaginary * C.Imaginary) / Norm * Scale,
-      (A.Imaginary * C.Real - A.Real * C.Imaginary) / Norm * Scale};
+Parts<double> quotient(const Parts<double> A, const Parts<double> B) {
+  Parts<double> C = A;
+  Parts<double> D = B;
+  int Exponent = normalize(C);
+  Exponent -= normalize(D);
+  const double Norm = D.Real * D.Real + D.Imaginary * D.Imaginary;
+  const double Real = (C.Real * D.Real + C.Imaginary * D.Imaginary) / Norm;
+  const double Imaginary = (C.Imaginary * D.Real - C.Real * D.Imaginary) / Norm;
+  Parts<double> Z = {__builtin_scalbn(Real, Exponent),
+                     __builtin_scalbn(Imaginary, Exponent)};
   if (isNaN(Z.Real) && isNaN(Z.Imaginary))
     return specialQuotient(A, B, Z);
   return Z;
