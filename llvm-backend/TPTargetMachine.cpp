@@ -57,6 +57,8 @@ TPTargetMachine::TPTargetMachine(const Target &T, const Triple &TT,
           Reloc::Static, getEffectiveCodeModel(CM, CodeModel::Small), OptLevel),
       ObjectFileLowering(std::make_unique<TargetLoweringObjectFileELF>()) {
   this->Options.EnableCFIFixup = true;
+  // Only where an option asks for it.
+  setMachineOutliner(true);
   setSupportsDebugEntryValues(true);
   if (isFloatingPointCanonicalizationEnabled())
     this->Options.AllowFPOpFusion = FPOpFusion::Strict;

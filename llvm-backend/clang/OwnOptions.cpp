@@ -31,6 +31,7 @@ enum class OptionGroup {
   CheckedFloatingPoint,
   FusedMultiplyAdd,
   Trigonometry,
+  Outlining,
   PrintFloatingPoint
 };
 
@@ -67,6 +68,8 @@ static constexpr const char *WithTrig[] = {"-Xclang", "-target-feature",
                                            "-Xclang", "+trig"};
 static constexpr const char *WithoutTrig[] = {"-Xclang", "-target-feature",
                                               "-Xclang", "-trig"};
+static constexpr const char *WithOutlining[] = {"-mllvm",
+                                                "-enable-machine-outliner"};
 
 static constexpr OwnOption Options[] = {
     {"-ftp-fp=strict", OptionGroup::FloatingPointPreset,
@@ -90,6 +93,12 @@ static constexpr OwnOption Options[] = {
      "The chip has sin_s and cos_s (default)", WithTrig},
     {"-mno-trig", OptionGroup::Trigonometry, "The chip lacks sin_s and cos_s",
      WithoutTrig},
+    {"-moutline", OptionGroup::Outlining,
+     "Move instructions that occur several times to functions of their own: "
+     "shorter and slower",
+     WithOutlining},
+    {"-mno-outline", OptionGroup::Outlining,
+     "Do not outline instructions (default)"},
     {"--print-fp", OptionGroup::PrintFloatingPoint,
      "Print how the other options treat floating point and which of them "
      "decides; compile nothing"},
@@ -104,6 +113,7 @@ static const OwnOption *findOwnOption(StringRef Word) {
 bool isOwnFloatingPointOption(StringRef Word) {
   const OwnOption *Option = findOwnOption(Word);
   return Option && Option->Group != OptionGroup::Trigonometry &&
+         Option->Group != OptionGroup::Outlining &&
          Option->Group != OptionGroup::PrintFloatingPoint;
 }
 
