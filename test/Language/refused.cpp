@@ -26,3 +26,6 @@ struct Derived : Base {};
 Derived *cast(Base *B) { return dynamic_cast<Derived *>(B); }
 // CHECK: [[#@LINE+1]]:{{[0-9]+}}: error: use of typeid requires -frtti
 const std::type_info &type(Base *B) { return typeid(*B); }
+void *Buffer[5];
+// CHECK: [[#@LINE+1]]:{{[0-9]+}}: error: __builtin_setjmp is not supported for the current target
+int jump() { return __builtin_setjmp(Buffer); }
