@@ -5,10 +5,11 @@
 //===----------------------------------------------------------------------===//
 //
 // Integer arguments in r4..r11 and float arguments in f4..f11, counted apart;
-// the others on the stack in words. Results in r2, r3 and f0, f1. 64-bit values
-// are two words, the low one first. A struct passed by value is a pointer to a
-// copy that the caller has made. Arguments of a variadic function behind its
-// named ones are all on the stack.
+// the others on the stack in words. Results in r4, r5 and f4, f5, where a caller
+// that passes them on wants them. 64-bit values are two words, the low one
+// first. A struct passed by value is a pointer to a copy that the caller has
+// made. Arguments of a variadic function behind its named ones are all on the
+// stack.
 //
 //===----------------------------------------------------------------------===//
 
@@ -30,8 +31,8 @@ def CC_TP_Variadic : CallingConv<[
 
 def RetCC_TP : CallingConv<[
   CCIfType<[i1, i8, i16], CCPromoteToType<i32>>,
-  CCIfType<[i32], CCAssignToReg<[R2, R3]>>,
-  CCIfType<[f32], CCAssignToReg<[F0, F1]>>
+  CCIfType<[i32], CCAssignToReg<[R4, R5]>>,
+  CCIfType<[f32], CCAssignToReg<[F4, F5]>>
 ]>;
 
 def CSR_TP : CalleeSavedRegs<(add R31, R30, (sequence "R%u", 16, 23),

@@ -12,7 +12,7 @@ using namespace llvm;
 
 TPTTIImpl::TPTTIImpl(const TPTargetMachine *TM, const Function &F)
     : BaseT(TM, F.getDataLayout()), ST(TM->getSubtargetImpl(F)),
-      TLI(ST->getTargetLowering()), OptimizesSize(F.hasOptSize()) {}
+      TLI(ST->getTargetLowering()) {}
 
 bool TPTTIImpl::isLoweredToCall(const Function *F) const {
   return TPBuiltin::getID(*F) == TPBuiltin::ID::None &&

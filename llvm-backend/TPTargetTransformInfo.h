@@ -22,7 +22,6 @@ class TPTTIImpl final : public BasicTTIImplBase<TPTTIImpl> {
 
   const TPSubtarget *ST;
   const TPTargetLowering *TLI;
-  const bool OptimizesSize;
 
   const TPSubtarget *getST() const { return ST; }
   const TPTargetLowering *getTLI() const { return TLI; }
@@ -63,8 +62,6 @@ public:
                                TTI::UnrollingPreferences &UP,
                                OptimizationRemarkEmitter *ORE) const override;
   unsigned getInliningThresholdMultiplier() const override { return 1; }
-  /// A table lookup is a load; compares and selects are faster, but longer.
-  bool shouldBuildLookupTables() const override { return OptimizesSize; }
   bool haveFastSqrt(Type *Ty) const override { return Ty->isFloatTy(); }
   TTI::PopcntSupportKind getPopcntSupport(unsigned) const override {
     return TTI::PSK_Software;

@@ -35,7 +35,7 @@ define i32 @dynamic(i32 %n, i32 %m) {
 ; CHECK-NEXT: jal many
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: lw r12, -16(r30)
-; CHECK-NEXT: add r2, r12, r16
+; CHECK-NEXT: add r4, r12, r16
 ; CHECK-NEXT: addi r29, r30, -16
 ; CHECK-NEXT: lw r16, 4(r29)
 ; CHECK-NEXT: lw r30, 8(r29)

@@ -3,7 +3,7 @@
 
 define i32 @add(ptr %p, i32 %v) {
 ; CHECK-LABEL: add:
-; CHECK: atom_add r2, r5, (r4)
+; CHECK: atom_add r4, r5, (r4)
 ; CHECK-NEXT: ret
   %r = atomicrmw add ptr %p, i32 %v monotonic
   ret i32 %r
@@ -11,7 +11,7 @@ define i32 @add(ptr %p, i32 %v) {
 define i32 @sub(ptr %p, i32 %v) {
 ; CHECK-LABEL: sub:
 ; CHECK: neg r12, r5
-; CHECK-NEXT: atom_add r2, r12, (r4)
+; CHECK-NEXT: atom_add r4, r12, (r4)
 ; CHECK-NEXT: ret
   %r = atomicrmw sub ptr %p, i32 %v monotonic
   ret i32 %r
@@ -25,7 +25,7 @@ define i32 @others(ptr %p, i32 %v) {
 ; CHECK-NEXT: atom_max r12, r12, (r4)
 ; CHECK-NEXT: atom_minu r12, r12, (r4)
 ; CHECK-NEXT: atom_maxu r12, r12, (r4)
-; CHECK-NEXT: atom_swap r2, r12, (r4)
+; CHECK-NEXT: atom_swap r4, r12, (r4)
 ; CHECK-NEXT: ret
   %a = atomicrmw and ptr %p, i32 %v monotonic
   %b = atomicrmw or ptr %p, i32 %a monotonic
@@ -39,29 +39,31 @@ define i32 @others(ptr %p, i32 %v) {
 }
 define i32 @nand(ptr %p, i32 %v) {
 ; CHECK-LABEL: nand:
-; CHECK: lw r2, 0(r4)
+; CHECK: move r12, r4
+; CHECK-NEXT: lw r4, 0(r12)
 ; CHECK-NEXT: .LBB3_1:
-; CHECK: move r12, r2
-; CHECK-NEXT: and r13, r12, r5
-; CHECK-NEXT: not r13, r13
-; CHECK-NEXT: atom_cas r2, r13, (r4)
-; CHECK-NEXT: bne r2, r12, .LBB3_1
+; CHECK: move r13, r4
+; CHECK-NEXT: and r14, r13, r5
+; CHECK-NEXT: not r14, r14
+; CHECK-NEXT: atom_cas r4, r14, (r12)
+; CHECK-NEXT: bne r4, r13, .LBB3_1
 ; CHECK: ret
   %r = atomicrmw nand ptr %p, i32 %v monotonic
   ret i32 %r
 }
 define float @fadd(ptr %p, float %v) {
 ; CHECK-LABEL: fadd:
-; CHECK: lwc1 f0, 0(r4)
+; CHECK: lwc1 f12, 0(r4)
 ; CHECK-NEXT: .LBB4_1:
-; CHECK: add_s f12, f0, f4
-; CHECK-NEXT: mfc1 r12, f0
-; CHECK-NEXT: mfc1 r14, f12
+; CHECK: add_s f13, f12, f4
+; CHECK-NEXT: mfc1 r12, f12
+; CHECK-NEXT: mfc1 r14, f13
 ; CHECK-NEXT: move r13, r12
 ; CHECK-NEXT: atom_cas r13, r14, (r4)
-; CHECK-NEXT: mtc1 f0, r13
+; CHECK-NEXT: mtc1 f12, r13
 ; CHECK-NEXT: bne r13, r12, .LBB4_1
-; CHECK: ret
+; CHECK: mov_s f4, f12
+; CHECK-NEXT: ret
   %r = atomicrmw fadd ptr %p, float %v monotonic
   ret float %r
 }
@@ -69,7 +71,7 @@ define float @exchange_float(ptr %p, float %v) {
 ; CHECK-LABEL: exchange_float:
 ; CHECK: mfc1 r12, f4
 ; CHECK-NEXT: atom_swap r12, r12, (r4)
-; CHECK-NEXT: mtc1 f0, r12
+; CHECK-NEXT: mtc1 f4, r12
 ; CHECK-NEXT: ret
   %r = atomicrmw xchg ptr %p, float %v monotonic
   ret float %r
@@ -94,7 +96,7 @@ define i8 @add_byte(ptr %p, i8 %v) {
 ; CHECK-NEXT: or r27, r28, r27
 ; CHECK-NEXT: atom_cas r13, r27, (r12)
 ; CHECK-NEXT: bne r13, r26, .LBB6_1
-; CHECK: srlv r2, r13, r14
+; CHECK: srlv r4, r13, r14
 ; CHECK-NEXT: ret
   %r = atomicrmw add ptr %p, i8 %v monotonic
   ret i8 %r
@@ -104,7 +106,7 @@ define i1 @compare_exchange(ptr %p, i32 %old, i32 %new) {
 ; CHECK: move r12, r5
 ; CHECK-NEXT: atom_cas r12, r6, (r4)
 ; CHECK-NEXT: xor r12, r12, r5
-; CHECK-NEXT: sltiu r2, r12, 1
+; CHECK-NEXT: sltiu r4, r12, 1
 ; CHECK-NEXT: ret
   %r = cmpxchg ptr %p, i32 %old, i32 %new monotonic monotonic
   %s = extractvalue { i32, i1 } %r, 1
@@ -136,7 +138,7 @@ define i16 @compare_exchange_half(ptr %p, i16 %old, i16 %new) {
 ; CHECK: and r27, r26, r14
 ; CHECK-NEXT: bne r25, r27, .LBB8_1
 ; CHECK-NEXT: .LBB8_3:
-; CHECK-NEXT: srlv r2, r26, r13
+; CHECK-NEXT: srlv r4, r26, r13
 ; CHECK-NEXT: sync
 ; CHECK-NEXT: ret
   %r = cmpxchg ptr %p, i16 %old, i16 %new seq_cst seq_cst
@@ -145,7 +147,7 @@ define i16 @compare_exchange_half(ptr %p, i16 %old, i16 %new) {
 }
 define i32 @load_acquire(ptr %p) {
 ; CHECK-LABEL: load_acquire:
-; CHECK: lw r2, 0(r4)
+; CHECK: lw r4, 0(r4)
 ; CHECK-NEXT: ret
   %r = load atomic i32, ptr %p acquire, align 4
   ret i32 %r
@@ -170,7 +172,7 @@ define void @store_seq_cst(ptr %p, i8 %v) {
 define i32 @acquire_release(ptr %p, i32 %v) {
 ; CHECK-LABEL: acquire_release:
 ; CHECK: sync
-; CHECK-NEXT: atom_add r2, r5, (r4)
+; CHECK-NEXT: atom_add r4, r5, (r4)
 ; CHECK-NEXT: sync
 ; CHECK-NEXT: ret
   %r = atomicrmw add ptr %p, i32 %v acq_rel
@@ -199,7 +201,7 @@ define i64 @add_long(ptr %p, i64 %v) {
 define float @load_float(ptr %p) {
 ; CHECK-LABEL: load_float:
 ; CHECK: lw r12, 0(r4)
-; CHECK-NEXT: mtc1 f0, r12
+; CHECK-NEXT: mtc1 f4, r12
 ; CHECK-NEXT: ret
   %r = load atomic float, ptr %p monotonic, align 4
   ret float %r

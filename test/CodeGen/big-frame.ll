@@ -46,7 +46,7 @@ define i32 @too_big(i32 %i) {
 ; CHECK-NEXT: add r1, r1, r29
 ; CHECK-NEXT: lw r31, -31060(r1)
 ; CHECK-NEXT: lw r12, 0(r29)
-; CHECK-NEXT: add r2, r12, r13
+; CHECK-NEXT: add r4, r12, r13
 ; CHECK-NEXT: lui r1, 1
 ; CHECK-NEXT: ori r1, r1, 34480
 ; CHECK-NEXT: add r29, r29, r1

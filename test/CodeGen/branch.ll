@@ -185,13 +185,14 @@ no:
 }
 define i32 @loop(i32 %n) {
 ; CHECK-LABEL: loop:
-; CHECK: move r12, r0
-; CHECK-NEXT: move r2, r0
+; CHECK: move r13, r0
+; CHECK-NEXT: move r12, r0
 ; CHECK-NEXT: .LBB12_1:
-; CHECK: mul r2, r2, r12
-; CHECK-NEXT: addi r12, r12, 1
-; CHECK-NEXT: bltu r12, r4, .LBB12_1
-; CHECK: ret
+; CHECK: mul r12, r12, r13
+; CHECK-NEXT: addi r13, r13, 1
+; CHECK-NEXT: bltu r13, r4, .LBB12_1
+; CHECK: move r4, r12
+; CHECK-NEXT: ret
 entry:
   br label %head
 head:
@@ -212,10 +213,10 @@ define i32 @indirect(i32 %i) {
 ; CHECK-NEXT: lwx r12, r12(r13)
 ; CHECK-NEXT: jr r12
 ; CHECK: .LBB13_1:
-; CHECK-NEXT: addi r2, r0, 1
+; CHECK-NEXT: addi r4, r0, 1
 ; CHECK-NEXT: ret
 ; CHECK: .LBB13_2:
-; CHECK-NEXT: addi r2, r0, 2
+; CHECK-NEXT: addi r4, r0, 2
 ; CHECK-NEXT: ret
   %p = getelementptr [2 x ptr], ptr @targets, i32 0, i32 %i
   %t = load ptr, ptr %p
@@ -229,7 +230,7 @@ two:
 define ptr @address() {
 ; CHECK-LABEL: address:
 ; CHECK: lui r12, %hi(.Ltmp0)
-; CHECK-NEXT: addi r2, r12, %lo(.Ltmp0)
+; CHECK-NEXT: addi r4, r12, %lo(.Ltmp0)
 ; CHECK-NEXT: ret
   ret ptr blockaddress(@indirect, %one)
 }

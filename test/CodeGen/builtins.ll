@@ -35,7 +35,7 @@ define float @math(float %x) {
 ; CHECK: rcp_s f12, f4
 ; CHECK-NEXT: rsqrt_s f12, f12
 ; CHECK-NEXT: sin_s f12, f12
-; CHECK-NEXT: cos_s f0, f12
+; CHECK-NEXT: cos_s f4, f12
 ; CHECK-NEXT: ret
   %a = call float @tp_rcp(float %x)
   %b = call float @tp_rsqrt(float %a)
@@ -51,7 +51,7 @@ define i32 @conversions(float %x) {
 ; CHECK-NEXT: ceil_w_s r14, f4
 ; CHECK-NEXT: add r12, r12, r15
 ; CHECK-NEXT: add r13, r13, r14
-; CHECK-NEXT: add r2, r12, r13
+; CHECK-NEXT: add r4, r12, r13
 ; CHECK-NEXT: ret
   %a = call i32 @tp_trunc_w(float %x)
   %b = call i32 @tp_round_w(float %x)
@@ -76,7 +76,7 @@ define i32 @identity() {
 ; CHECK-NEXT: xor r14, r15, r14
 ; CHECK-NEXT: mfsr r12, lssize
 ; CHECK-NEXT: xor r13, r14, r13
-; CHECK-NEXT: xor r2, r13, r12
+; CHECK-NEXT: xor r4, r13, r12
 ; CHECK-NEXT: ret
   %a = call i32 @tp_thread_id()
   %b = call i32 @tp_tp_id()
@@ -99,7 +99,7 @@ define i32 @elapsed() {
 ; CHECK: mfsr r12, cycle
 ; CHECK-NEXT: sleep r12
 ; CHECK-NEXT: mfsr r13, cycle
-; CHECK-NEXT: sub r2, r13, r12
+; CHECK-NEXT: sub r4, r13, r12
 ; CHECK-NEXT: ret
   %a = call i32 @tp_cycle()
   call void @tp_sleep(i32 %a)
@@ -113,7 +113,7 @@ define i32 @counters() {
 ; CHECK-NEXT: mfsr r14, instret
 ; CHECK-NEXT: mfsr r12, instreth
 ; CHECK-NEXT: add r13, r13, r14
-; CHECK-NEXT: add r2, r13, r12
+; CHECK-NEXT: add r4, r13, r12
 ; CHECK-NEXT: ret
   %a = call i32 @tp_cycle_high()
   %b = call i32 @tp_instret()
@@ -126,7 +126,7 @@ define i32 @counters() {
 define i32 @merged() {
 ; CHECK-LABEL: merged:
 ; CHECK: mfsr r12, thread
-; CHECK-NEXT: add r2, r12, r12
+; CHECK-NEXT: add r4, r12, r12
 ; CHECK-NEXT: ret
   %a = call i32 @tp_thread_id()
   %b = call i32 @tp_thread_id()
@@ -163,6 +163,7 @@ define i32 @host(i32 %a, i32 %b, i32 %c) {
 ; CHECK-NEXT: move r6, r4
 ; CHECK-NEXT: move r4, r12
 ; CHECK-NEXT: hostcall 0
+; CHECK-NEXT: move r4, r2
 ; CHECK-NEXT: ret
   %r = call i32 @tp_hostcall(i32 0, i32 %c, i32 %b, i32 %a)
   ret i32 %r
@@ -171,7 +172,7 @@ define i32 @streams(ptr %s, i32 %v) {
 ; CHECK-LABEL: streams:
 ; CHECK: stream_push r12, r5, (r4)
 ; CHECK-NEXT: stream_pop r13, (r4)
-; CHECK-NEXT: add r2, r12, r13
+; CHECK-NEXT: add r4, r12, r13
 ; CHECK-NEXT: ret
   %a = call i32 @tp_stream_push(ptr %s, i32 %v)
   %b = call i32 @tp_stream_pop(ptr %s)

@@ -66,9 +66,10 @@ define void @pass_large(ptr %p, ptr %q) {
 }
 define i32 @receive(ptr byval(%struct.small) align 4 %s) {
 ; CHECK-LABEL: receive:
-; CHECK: lw r2, 4(r4)
-; CHECK-NEXT: addi r12, r0, 1
-; CHECK-NEXT: sw r12, 4(r4)
+; CHECK: move r12, r4
+; CHECK-NEXT: lw r4, 4(r12)
+; CHECK-NEXT: addi r13, r0, 1
+; CHECK-NEXT: sw r13, 4(r12)
 ; CHECK-NEXT: ret
   %f = getelementptr %struct.small, ptr %s, i32 0, i32 1
   %v = load i32, ptr %f

@@ -27,7 +27,7 @@ define i32 @stack_arguments(i32 %x) {
 ; CHECK-NEXT: sw r12, 0(r29)
 ; CHECK-NEXT: jal many
 ; CHECK-NEXT: lw r31, 12(r29)
-; CHECK-NEXT: addi r2, r2, 1
+; CHECK-NEXT: addi r4, r4, 1
 ; CHECK-NEXT: addi r29, r29, 16
 ; CHECK-NEXT: ret
   %r = call i32 @many(i32 1, i32 2, i32 3, i32 4, i32 5, i32 6, i32 7, i32 8, i32 %x, float 1.0, i64 4294967298)
@@ -44,7 +44,7 @@ define float @mixed(float %a, i32 %i, float %b, double %d) {
 ; CHECK-NEXT: mov_s f4, f5
 ; CHECK-NEXT: mov_s f5, f20
 ; CHECK-NEXT: jal floats
-; CHECK-NEXT: add_s f0, f0, f20
+; CHECK-NEXT: add_s f4, f4, f20
 ; CHECK-NEXT: lwc1 f20, 0(r29)
 ; CHECK-NEXT: lw r31, 4(r29)
 ; CHECK-NEXT: addi r29, r29, 8
@@ -58,7 +58,7 @@ define i32 @incoming(i32 %a, i32 %b, i32 %c, i32 %d, i32 %e, i32 %f, i32 %g, i32
 ; CHECK-LABEL: incoming:
 ; CHECK: lw r12, 4(r29)
 ; CHECK-NEXT: lw r13, 0(r29)
-; CHECK-NEXT: add r2, r13, r12
+; CHECK-NEXT: add r4, r13, r12
 ; CHECK-NEXT: ret
   %t = trunc i64 %j to i32
   %r = add i32 %i, %t
@@ -73,7 +73,7 @@ define i32 @indirect(i32 %x) {
 ; CHECK-NEXT: lw r12, %lo(pointer)(r12)
 ; CHECK-NEXT: jalr r12
 ; CHECK-NEXT: lw r31, 4(r29)
-; CHECK-NEXT: addi r2, r2, 1
+; CHECK-NEXT: addi r4, r4, 1
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: ret
   %f = load ptr, ptr @pointer
@@ -90,7 +90,7 @@ define i32 @virtual(ptr %object) {
 ; CHECK-NEXT: lw r12, 8(r12)
 ; CHECK-NEXT: jalr r12
 ; CHECK-NEXT: lw r31, 4(r29)
-; CHECK-NEXT: addi r2, r2, 1
+; CHECK-NEXT: addi r4, r4, 1
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: ret
   %table = load ptr, ptr %object
@@ -103,9 +103,9 @@ define i32 @virtual(ptr %object) {
 
 define i64 @returns_two_words(i64 %x) {
 ; CHECK-LABEL: returns_two_words:
-; CHECK: addi r2, r4, 1
-; CHECK-NEXT: sltiu r12, r2, 1
-; CHECK-NEXT: add r3, r5, r12
+; CHECK: addi r4, r4, 1
+; CHECK-NEXT: sltiu r12, r4, 1
+; CHECK-NEXT: add r5, r5, r12
 ; CHECK-NEXT: ret
   %r = add i64 %x, 1
   ret i64 %r
@@ -114,7 +114,7 @@ define i64 @returns_two_words(i64 %x) {
 define signext i8 @narrow(i8 signext %a, i16 zeroext %b) {
 ; CHECK-LABEL: narrow:
 ; CHECK: add r12, r4, r5
-; CHECK-NEXT: seb r2, r12
+; CHECK-NEXT: seb r4, r12
 ; CHECK-NEXT: ret
   %t = trunc i16 %b to i8
   %r = add i8 %a, %t
@@ -131,7 +131,7 @@ define i32 @call_narrow(i32 %x) {
 ; CHECK-NEXT: andi r5, r12, 65535
 ; CHECK-NEXT: jal narrow_callee
 ; CHECK-NEXT: lw r31, 4(r29)
-; CHECK-NEXT: addi r2, r2, 1
+; CHECK-NEXT: addi r4, r4, 1
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: ret
   %a = trunc i32 %x to i8

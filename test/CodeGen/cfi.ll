@@ -14,7 +14,7 @@ define i32 @frame(i32 %n) uwtable {
 ; CHECK-NEXT: move r16, r4
 ; CHECK-NEXT: move r4, r29
 ; CHECK-NEXT: jal use
-; CHECK-NEXT: move r2, r16
+; CHECK-NEXT: move r4, r16
 ; CHECK-NEXT: lw r16, 16(r29)
 ; CHECK-NEXT: lw r31, 20(r29)
 ; CHECK-NEXT: .cfi_restore r31
@@ -41,7 +41,7 @@ define i32 @frame_pointer(i32 %n) uwtable "frame-pointer"="all" {
 ; CHECK-NEXT: move r16, r4
 ; CHECK-NEXT: addi r4, r30, -28
 ; CHECK-NEXT: jal use
-; CHECK-NEXT: move r2, r16
+; CHECK-NEXT: move r4, r16
 ; CHECK-NEXT: .cfi_def_cfa r29, 32
 ; CHECK-NEXT: lw r16, 20(r29)
 ; CHECK-NEXT: lw r30, 24(r29)
@@ -75,7 +75,7 @@ define i32 @early_return(i1 %c, i32 %n) uwtable {
 ; CHECK-NEXT: move r29, r4
 ; CHECK-NEXT: jal use
 ; CHECK-NEXT: .LBB2_2:
-; CHECK-NEXT: move r2, r16
+; CHECK-NEXT: move r4, r16
 ; CHECK-NEXT: addi r29, r30, -16
 ; CHECK-NEXT: .cfi_def_cfa r29, 16
 ; CHECK-NEXT: lw r16, 4(r29)
@@ -110,10 +110,10 @@ define i32 @two_returns(i32 %n) uwtable {
 ; CHECK-NEXT: bne r16, r12, .LBB3_2
 ; CHECK: move r4, r29
 ; CHECK-NEXT: jal use
-; CHECK-NEXT: addi r2, r0, 1
+; CHECK-NEXT: addi r4, r0, 1
 ; CHECK-NEXT: j .LBB3_3
 ; CHECK-NEXT: .LBB3_2:
-; CHECK-NEXT: lw r2, 0(r29)
+; CHECK-NEXT: lw r4, 0(r29)
 ; CHECK-NEXT: .LBB3_3:
 ; CHECK-NEXT: lw r16, 16(r29)
 ; CHECK-NEXT: lw r31, 20(r29)
@@ -148,7 +148,7 @@ define ptr @addresses() "frame-pointer"="all" {
 ; CHECK-NEXT: lw r4, -8(r30)
 ; CHECK-NEXT: lw r16, -4(r4)
 ; CHECK-NEXT: jal use
-; CHECK-NEXT: move r2, r16
+; CHECK-NEXT: move r4, r16
 ; CHECK-NEXT: .cfi_def_cfa r29, 16
 ; CHECK-NEXT: lw r16, 4(r29)
 ; CHECK-NEXT: lw r30, 8(r29)
@@ -166,7 +166,7 @@ define ptr @addresses() "frame-pointer"="all" {
 }
 define ptr @own_return_address() {
 ; CHECK-LABEL: own_return_address:
-; CHECK: move r2, r31
+; CHECK: move r4, r31
 ; CHECK-NEXT: ret
   %r = call ptr @llvm.returnaddress(i32 0)
   ret ptr %r

@@ -10,18 +10,12 @@ define double @arithmetic(double %a, double %b) {
 ; CHECK-NEXT: move r16, r7
 ; CHECK-NEXT: move r17, r6
 ; CHECK-NEXT: jal __adddf3
-; CHECK-NEXT: move r4, r2
-; CHECK-NEXT: move r5, r3
 ; CHECK-NEXT: move r6, r17
 ; CHECK-NEXT: move r7, r16
 ; CHECK-NEXT: jal __subdf3
-; CHECK-NEXT: move r4, r2
-; CHECK-NEXT: move r5, r3
 ; CHECK-NEXT: move r6, r17
 ; CHECK-NEXT: move r7, r16
 ; CHECK-NEXT: jal __muldf3
-; CHECK-NEXT: move r4, r2
-; CHECK-NEXT: move r5, r3
 ; CHECK-NEXT: move r6, r17
 ; CHECK-NEXT: move r7, r16
 ; CHECK-NEXT: jal __divdf3
@@ -42,7 +36,7 @@ define i1 @less(double %a, double %b) {
 ; CHECK-NEXT: sw r31, 4(r29)
 ; CHECK-NEXT: jal __ltdf2
 ; CHECK-NEXT: lw r31, 4(r29)
-; CHECK-NEXT: slti r2, r2, 0
+; CHECK-NEXT: slti r4, r4, 0
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: ret
   %r = fcmp olt double %a, %b
@@ -62,14 +56,14 @@ define i1 @unordered_equal(double %a, double %b) {
 ; CHECK-NEXT: move r19, r5
 ; CHECK-NEXT: move r20, r4
 ; CHECK-NEXT: jal __unorddf2
+; CHECK-NEXT: move r16, r4
 ; CHECK-NEXT: move r4, r20
 ; CHECK-NEXT: move r5, r19
 ; CHECK-NEXT: move r6, r18
 ; CHECK-NEXT: move r7, r17
-; CHECK-NEXT: move r16, r2
 ; CHECK-NEXT: jal __eqdf2
-; CHECK-NEXT: sltiu r12, r2, 1
-; CHECK-NEXT: or r2, r16, r12
+; CHECK-NEXT: sltiu r12, r4, 1
+; CHECK-NEXT: or r4, r16, r12
 ; CHECK-NEXT: lw r20, 0(r29)
 ; CHECK-NEXT: lw r19, 4(r29)
 ; CHECK-NEXT: lw r18, 8(r29)
@@ -127,9 +121,8 @@ define double @from_unsigned(i32 %a) {
 }
 define double @sign(double %a, double %b) {
 ; CHECK-LABEL: sign:
-; CHECK: move r3, r7
-; CHECK-NEXT: ins r3, r5, 0, 30
-; CHECK-NEXT: move r2, r4
+; CHECK: ins r7, r5, 0, 30
+; CHECK-NEXT: move r5, r7
 ; CHECK-NEXT: ret
   %c = fneg double %a
   %d = call double @llvm.fabs.f64(double %c)
@@ -150,9 +143,9 @@ define double @root(double %a) {
 define double @constant() {
 ; CHECK-LABEL: constant:
 ; CHECK: lui r12, 39321
-; CHECK-NEXT: ori r2, r12, 39322
+; CHECK-NEXT: ori r4, r12, 39322
 ; CHECK-NEXT: lui r12, 16369
-; CHECK-NEXT: ori r3, r12, 39321
+; CHECK-NEXT: ori r5, r12, 39321
 ; CHECK-NEXT: ret
   ret double 1.1
 }
@@ -166,9 +159,9 @@ define half @halves(half %a, half %b) {
 ; CHECK-NEXT: move r4, r5
 ; CHECK-NEXT: jal __extendhfsf2
 ; CHECK-NEXT: move r4, r16
-; CHECK-NEXT: mov_s f20, f0
+; CHECK-NEXT: mov_s f20, f4
 ; CHECK-NEXT: jal __extendhfsf2
-; CHECK-NEXT: add_s f4, f0, f20
+; CHECK-NEXT: add_s f4, f4, f20
 ; CHECK-NEXT: jal __truncsfhf2
 ; CHECK-NEXT: lwc1 f20, 4(r29)
 ; CHECK-NEXT: lw r16, 8(r29)
@@ -181,8 +174,21 @@ define half @halves(half %a, half %b) {
 ; The runtime's fmin and fmax order zeros and prefer numbers.
 define double @extremes(double %a, double %b) {
 ; CHECK-LABEL: extremes:
-; CHECK: jal fmin{{$}}
-; CHECK: jal fmax{{$}}
+; CHECK: addi r29, r29, -16
+; CHECK-NEXT: sw r31, 12(r29)
+; CHECK-NEXT: sw r16, 8(r29)
+; CHECK-NEXT: sw r17, 4(r29)
+; CHECK-NEXT: move r16, r7
+; CHECK-NEXT: move r17, r6
+; CHECK-NEXT: jal fmin
+; CHECK-NEXT: move r6, r17
+; CHECK-NEXT: move r7, r16
+; CHECK-NEXT: jal fmax
+; CHECK-NEXT: lw r17, 4(r29)
+; CHECK-NEXT: lw r16, 8(r29)
+; CHECK-NEXT: lw r31, 12(r29)
+; CHECK-NEXT: addi r29, r29, 16
+; CHECK-NEXT: ret
   %c = call double @llvm.minimumnum.f64(double %a, double %b)
   %d = call double @llvm.maximumnum.f64(double %c, double %b)
   ret double %d

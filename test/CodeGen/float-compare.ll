@@ -3,98 +3,98 @@
 
 define i1 @oeq(float %a, float %b) {
 ; CHECK-LABEL: oeq:
-; CHECK: c_eq_s r2, f4, f5
+; CHECK: c_eq_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp oeq float %a, %b
   ret i1 %r
 }
 define i1 @ogt(float %a, float %b) {
 ; CHECK-LABEL: ogt:
-; CHECK: c_olt_s r2, f5, f4
+; CHECK: c_olt_s r4, f5, f4
 ; CHECK-NEXT: ret
   %r = fcmp ogt float %a, %b
   ret i1 %r
 }
 define i1 @oge(float %a, float %b) {
 ; CHECK-LABEL: oge:
-; CHECK: c_ole_s r2, f5, f4
+; CHECK: c_ole_s r4, f5, f4
 ; CHECK-NEXT: ret
   %r = fcmp oge float %a, %b
   ret i1 %r
 }
 define i1 @olt(float %a, float %b) {
 ; CHECK-LABEL: olt:
-; CHECK: c_olt_s r2, f4, f5
+; CHECK: c_olt_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp olt float %a, %b
   ret i1 %r
 }
 define i1 @ole(float %a, float %b) {
 ; CHECK-LABEL: ole:
-; CHECK: c_ole_s r2, f4, f5
+; CHECK: c_ole_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp ole float %a, %b
   ret i1 %r
 }
 define i1 @one(float %a, float %b) {
 ; CHECK-LABEL: one:
-; CHECK: c_one_s r2, f4, f5
+; CHECK: c_one_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp one float %a, %b
   ret i1 %r
 }
 define i1 @ord(float %a, float %b) {
 ; CHECK-LABEL: ord:
-; CHECK: c_or_s r2, f4, f5
+; CHECK: c_or_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp ord float %a, %b
   ret i1 %r
 }
 define i1 @ueq(float %a, float %b) {
 ; CHECK-LABEL: ueq:
-; CHECK: c_ueq_s r2, f4, f5
+; CHECK: c_ueq_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp ueq float %a, %b
   ret i1 %r
 }
 define i1 @ugt(float %a, float %b) {
 ; CHECK-LABEL: ugt:
-; CHECK: c_ult_s r2, f5, f4
+; CHECK: c_ult_s r4, f5, f4
 ; CHECK-NEXT: ret
   %r = fcmp ugt float %a, %b
   ret i1 %r
 }
 define i1 @uge(float %a, float %b) {
 ; CHECK-LABEL: uge:
-; CHECK: c_ule_s r2, f5, f4
+; CHECK: c_ule_s r4, f5, f4
 ; CHECK-NEXT: ret
   %r = fcmp uge float %a, %b
   ret i1 %r
 }
 define i1 @ult(float %a, float %b) {
 ; CHECK-LABEL: ult:
-; CHECK: c_ult_s r2, f4, f5
+; CHECK: c_ult_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp ult float %a, %b
   ret i1 %r
 }
 define i1 @ule(float %a, float %b) {
 ; CHECK-LABEL: ule:
-; CHECK: c_ule_s r2, f4, f5
+; CHECK: c_ule_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp ule float %a, %b
   ret i1 %r
 }
 define i1 @une(float %a, float %b) {
 ; CHECK-LABEL: une:
-; CHECK: c_une_s r2, f4, f5
+; CHECK: c_une_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp une float %a, %b
   ret i1 %r
 }
 define i1 @uno(float %a, float %b) {
 ; CHECK-LABEL: uno:
-; CHECK: c_un_s r2, f4, f5
+; CHECK: c_un_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp uno float %a, %b
   ret i1 %r
@@ -294,42 +294,42 @@ no:
 }
 define i1 @fast_eq(float %a, float %b) {
 ; CHECK-LABEL: fast_eq:
-; CHECK: c_eq_s r2, f4, f5
+; CHECK: c_eq_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp nnan oeq float %a, %b
   ret i1 %r
 }
 define i1 @fast_gt(float %a, float %b) {
 ; CHECK-LABEL: fast_gt:
-; CHECK: c_olt_s r2, f5, f4
+; CHECK: c_olt_s r4, f5, f4
 ; CHECK-NEXT: ret
   %r = fcmp nnan ogt float %a, %b
   ret i1 %r
 }
 define i1 @fast_ge(float %a, float %b) {
 ; CHECK-LABEL: fast_ge:
-; CHECK: c_ole_s r2, f5, f4
+; CHECK: c_ole_s r4, f5, f4
 ; CHECK-NEXT: ret
   %r = fcmp nnan oge float %a, %b
   ret i1 %r
 }
 define i1 @fast_lt(float %a, float %b) {
 ; CHECK-LABEL: fast_lt:
-; CHECK: c_olt_s r2, f4, f5
+; CHECK: c_olt_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp nnan olt float %a, %b
   ret i1 %r
 }
 define i1 @fast_le(float %a, float %b) {
 ; CHECK-LABEL: fast_le:
-; CHECK: c_ole_s r2, f4, f5
+; CHECK: c_ole_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp nnan ole float %a, %b
   ret i1 %r
 }
 define i1 @fast_ne(float %a, float %b) {
 ; CHECK-LABEL: fast_ne:
-; CHECK: c_une_s r2, f4, f5
+; CHECK: c_une_s r4, f4, f5
 ; CHECK-NEXT: ret
   %r = fcmp nnan une float %a, %b
   ret i1 %r

@@ -7,7 +7,7 @@ define float @arithmetic(float %a, float %b) {
 ; CHECK-NEXT: sub_s f12, f12, f5
 ; CHECK-NEXT: mul_s f12, f12, f5
 ; CHECK-NEXT: div_s f12, f12, f5
-; CHECK-NEXT: sqrt_s f0, f12
+; CHECK-NEXT: sqrt_s f4, f12
 ; CHECK-NEXT: ret
   %c = fadd float %a, %b
   %d = fsub float %c, %b
@@ -20,7 +20,7 @@ define float @arithmetic(float %a, float %b) {
 define float @no_contraction(float %a, float %b, float %c) {
 ; CHECK-LABEL: no_contraction:
 ; CHECK: mul_s f12, f4, f5
-; CHECK-NEXT: add_s f0, f12, f6
+; CHECK-NEXT: add_s f4, f12, f6
 ; CHECK-NEXT: ret
   %d = fmul contract float %a, %b
   %e = fadd contract float %d, %c
@@ -33,7 +33,7 @@ define float @fused(float %a, float %b, float %c) {
 ; CHECK-NEXT: swc1 f20, 0(r29)
 ; CHECK-NEXT: mov_s f20, f4
 ; CHECK-NEXT: jal fmaf
-; CHECK-NEXT: add_s f0, f0, f20
+; CHECK-NEXT: add_s f4, f4, f20
 ; CHECK-NEXT: lwc1 f20, 0(r29)
 ; CHECK-NEXT: lw r31, 4(r29)
 ; CHECK-NEXT: addi r29, r29, 8
@@ -45,7 +45,7 @@ define float @fused(float %a, float %b, float %c) {
 define float @muladd(float %a, float %b, float %c) {
 ; CHECK-LABEL: muladd:
 ; CHECK: mul_s f12, f4, f5
-; CHECK-NEXT: add_s f0, f12, f6
+; CHECK-NEXT: add_s f4, f12, f6
 ; CHECK-NEXT: ret
   %d = call float @llvm.fmuladd.f32(float %a, float %b, float %c)
   ret float %d
@@ -53,7 +53,7 @@ define float @muladd(float %a, float %b, float %c) {
 define float @sign(float %a, float %b) {
 ; CHECK-LABEL: sign:
 ; CHECK: abs_s f12, f4
-; CHECK-NEXT: sub_s f0, f5, f12
+; CHECK-NEXT: sub_s f4, f5, f12
 ; CHECK-NEXT: ret
   %c = call float @llvm.fabs.f32(float %a)
   %d = fneg float %c
@@ -65,7 +65,7 @@ define float @copysign(float %a, float %b) {
 ; CHECK: mfc1 r13, f4
 ; CHECK-NEXT: mfc1 r12, f5
 ; CHECK-NEXT: ins r12, r13, 0, 30
-; CHECK-NEXT: mtc1 f0, r12
+; CHECK-NEXT: mtc1 f4, r12
 ; CHECK-NEXT: ret
   %c = call float @llvm.copysign.f32(float %a, float %b)
   ret float %c
@@ -76,7 +76,7 @@ define float @rounding(float %a) {
 ; CHECK-NEXT: ceil_s f12, f12
 ; CHECK-NEXT: round_s f12, f12
 ; CHECK-NEXT: round_s f12, f12
-; CHECK-NEXT: round_s f0, f12
+; CHECK-NEXT: round_s f4, f12
 ; CHECK-NEXT: ret
   %b = call float @llvm.floor.f32(float %a)
   %c = call float @llvm.ceil.f32(float %b)
@@ -91,7 +91,7 @@ define float @extremes(float %a, float %b) {
 ; CHECK: min_s f12, f4, f5
 ; CHECK-NEXT: max_s f12, f12, f5
 ; CHECK-NEXT: min_s f12, f12, f5
-; CHECK-NEXT: max_s f0, f12, f5
+; CHECK-NEXT: max_s f4, f12, f5
 ; CHECK-NEXT: ret
   %c = call float @llvm.minnum.f32(float %a, float %b)
   %d = call float @llvm.maxnum.f32(float %c, float %b)
@@ -101,22 +101,23 @@ define float @extremes(float %a, float %b) {
 }
 define float @minimum(float %a, float %b) {
 ; CHECK-LABEL: minimum:
-; CHECK: lui r15, 32704
-; CHECK-NEXT: c_un_s r13, f4, f5
-; CHECK-NEXT: min_s f0, f4, f5
-; CHECK-NEXT: mtc1 f12, r15
-; CHECK-NEXT: mfc1 r14, f4
-; CHECK-NEXT: movn_s f0, f12, r13
+; CHECK: mov_s f12, f4
+; CHECK-NEXT: lui r15, 32704
+; CHECK-NEXT: c_un_s r13, f12, f5
+; CHECK-NEXT: min_s f4, f12, f5
+; CHECK-NEXT: mtc1 f13, r15
+; CHECK-NEXT: mfc1 r14, f12
+; CHECK-NEXT: movn_s f4, f13, r13
 ; CHECK-NEXT: lui r13, 32768
 ; CHECK-NEXT: mfc1 r12, f5
 ; CHECK-NEXT: xor r14, r14, r13
-; CHECK-NEXT: mov_s f12, f0
-; CHECK-NEXT: movz_s f12, f4, r14
+; CHECK-NEXT: mov_s f13, f4
+; CHECK-NEXT: movz_s f13, f12, r14
 ; CHECK-NEXT: xor r12, r12, r13
-; CHECK-NEXT: mtc1 f13, r0
-; CHECK-NEXT: movz_s f12, f5, r12
-; CHECK-NEXT: c_eq_s r12, f0, f13
-; CHECK-NEXT: movn_s f0, f12, r12
+; CHECK-NEXT: mtc1 f12, r0
+; CHECK-NEXT: movz_s f13, f5, r12
+; CHECK-NEXT: c_eq_s r12, f4, f12
+; CHECK-NEXT: movn_s f4, f13, r12
 ; CHECK-NEXT: ret
   %c = call float @llvm.minimum.f32(float %a, float %b)
   ret float %c
@@ -129,7 +130,7 @@ define i32 @to_int(float %a) {
 ; CHECK-NEXT: xor r14, r15, r14
 ; CHECK-NEXT: round_w_s r12, f4
 ; CHECK-NEXT: xor r13, r14, r13
-; CHECK-NEXT: xor r2, r13, r12
+; CHECK-NEXT: xor r4, r13, r12
 ; CHECK-NEXT: ret
   %b = fptosi float %a to i32
   %c = fptoui float %a to i32
@@ -150,9 +151,9 @@ define i8 @to_byte(float %a) {
 ; CHECK-NEXT: max_s f12, f4, f12
 ; CHECK-NEXT: mtc1 f13, r12
 ; CHECK-NEXT: min_s f12, f12, f13
-; CHECK-NEXT: trunc_w_s r2, f12
+; CHECK-NEXT: trunc_w_s r4, f12
 ; CHECK-NEXT: c_un_s r12, f4, f4
-; CHECK-NEXT: movn r2, r0, r12
+; CHECK-NEXT: movn r4, r0, r12
 ; CHECK-NEXT: ret
   %b = call i8 @llvm.fptosi.sat.i8.f32(float %a)
   ret i8 %b
@@ -161,7 +162,7 @@ define float @from_int(i32 %a) {
 ; CHECK-LABEL: from_int:
 ; CHECK: cvt_s_w f12, r4
 ; CHECK-NEXT: cvt_s_wu f13, r4
-; CHECK-NEXT: add_s f0, f12, f13
+; CHECK-NEXT: add_s f4, f12, f13
 ; CHECK-NEXT: ret
   %b = sitofp i32 %a to float
   %c = uitofp i32 %a to float
@@ -170,14 +171,14 @@ define float @from_int(i32 %a) {
 }
 define i32 @bits(float %a) {
 ; CHECK-LABEL: bits:
-; CHECK: mfc1 r2, f4
+; CHECK: mfc1 r4, f4
 ; CHECK-NEXT: ret
   %b = bitcast float %a to i32
   ret i32 %b
 }
 define float @from_bits(i32 %a) {
 ; CHECK-LABEL: from_bits:
-; CHECK: mtc1 f0, r4
+; CHECK: mtc1 f4, r4
 ; CHECK-NEXT: ret
   %b = bitcast i32 %a to float
   ret float %b
@@ -191,14 +192,11 @@ define float @library(float %a, float %b) {
 ; CHECK-NEXT: mov_s f21, f5
 ; CHECK-NEXT: mov_s f20, f4
 ; CHECK-NEXT: jal fmodf
-; CHECK-NEXT: mov_s f4, f0
 ; CHECK-NEXT: jal sinf
-; CHECK-NEXT: mov_s f4, f0
 ; CHECK-NEXT: mov_s f5, f21
 ; CHECK-NEXT: jal powf
-; CHECK-NEXT: mov_s f4, f0
 ; CHECK-NEXT: jal roundf
-; CHECK-NEXT: add_s f0, f0, f20
+; CHECK-NEXT: add_s f4, f4, f20
 ; CHECK-NEXT: lwc1 f21, 4(r29)
 ; CHECK-NEXT: lwc1 f20, 8(r29)
 ; CHECK-NEXT: lw r31, 12(r29)
@@ -215,24 +213,24 @@ define float @canonical(float %a) {
 ; CHECK-LABEL: canonical:
 ; CHECK: lui r12, 16256
 ; CHECK-NEXT: mtc1 f12, r12
-; CHECK-NEXT: mul_s f0, f4, f12
+; CHECK-NEXT: mul_s f4, f4, f12
 ; CHECK-NEXT: ret
   %b = call float @llvm.canonicalize.f32(float %a)
   ret float %b
 }
 define i1 @is_nan(float %a) {
 ; CHECK-LABEL: is_nan:
-; CHECK: c_un_s r2, f4, f4
+; CHECK: c_un_s r4, f4, f4
 ; CHECK-NEXT: ret
   %b = call i1 @llvm.is.fpclass.f32(float %a, i32 3)
   ret i1 %b
 }
 define float @strict(float %a, float %b) strictfp {
 ; CHECK-LABEL: strict:
-; CHECK: mov_s f0, f5
-; CHECK-NEXT: add_s f12, f4, f0
-; CHECK-NEXT: c_olt_s r12, f12, f0
-; CHECK-NEXT: movn_s f0, f12, r12
+; CHECK: add_s f12, f4, f5
+; CHECK-NEXT: c_olt_s r12, f12, f5
+; CHECK-NEXT: movn_s f5, f12, r12
+; CHECK-NEXT: mov_s f4, f5
 ; CHECK-NEXT: ret
   %c = call float @llvm.experimental.constrained.fadd.f32(float %a, float %b, metadata !"round.tonearest", metadata !"fpexcept.strict") strictfp
   %d = call i1 @llvm.experimental.constrained.fcmp.f32(float %c, float %b, metadata !"olt", metadata !"fpexcept.strict") strictfp

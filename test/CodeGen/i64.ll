@@ -3,10 +3,11 @@
 
 define i64 @add(i64 %a, i64 %b) {
 ; CHECK-LABEL: add:
-; CHECK: add r2, r4, r6
-; CHECK-NEXT: add r12, r5, r7
-; CHECK-NEXT: sltu r13, r2, r4
-; CHECK-NEXT: add r3, r12, r13
+; CHECK: move r12, r4
+; CHECK-NEXT: add r4, r12, r6
+; CHECK-NEXT: add r13, r5, r7
+; CHECK-NEXT: sltu r12, r4, r12
+; CHECK-NEXT: add r5, r13, r12
 ; CHECK-NEXT: ret
   %r = add i64 %a, %b
   ret i64 %r
@@ -15,8 +16,8 @@ define i64 @sub(i64 %a, i64 %b) {
 ; CHECK-LABEL: sub:
 ; CHECK: sltu r12, r4, r6
 ; CHECK-NEXT: sub r13, r5, r7
-; CHECK-NEXT: sub r3, r13, r12
-; CHECK-NEXT: sub r2, r4, r6
+; CHECK-NEXT: sub r5, r13, r12
+; CHECK-NEXT: sub r4, r4, r6
 ; CHECK-NEXT: ret
   %r = sub i64 %a, %b
   ret i64 %r
@@ -27,16 +28,17 @@ define i64 @mul(i64 %a, i64 %b) {
 ; CHECK-NEXT: mulhu r13, r4, r6
 ; CHECK-NEXT: add r12, r13, r12
 ; CHECK-NEXT: mul r13, r5, r6
-; CHECK-NEXT: add r3, r12, r13
-; CHECK-NEXT: mul r2, r4, r6
+; CHECK-NEXT: add r5, r12, r13
+; CHECK-NEXT: mul r4, r4, r6
 ; CHECK-NEXT: ret
   %r = mul i64 %a, %b
   ret i64 %r
 }
 define i64 @mul_wide(i32 %a, i32 %b) {
 ; CHECK-LABEL: mul_wide:
-; CHECK: mul r2, r4, r5
-; CHECK-NEXT: mulh r3, r4, r5
+; CHECK: move r12, r4
+; CHECK-NEXT: mul r4, r12, r5
+; CHECK-NEXT: mulh r5, r12, r5
 ; CHECK-NEXT: ret
   %c = sext i32 %a to i64
   %d = sext i32 %b to i64
@@ -49,11 +51,11 @@ define i64 @shl(i64 %a, i64 %s) {
 ; CHECK-NEXT: srl r14, r4, 1
 ; CHECK-NEXT: sllv r12, r5, r6
 ; CHECK-NEXT: srlv r13, r14, r13
-; CHECK-NEXT: or r3, r12, r13
-; CHECK-NEXT: sllv r2, r4, r6
+; CHECK-NEXT: or r5, r12, r13
+; CHECK-NEXT: sllv r4, r4, r6
 ; CHECK-NEXT: ext r12, r6, 5, 5
-; CHECK-NEXT: movn r3, r2, r12
-; CHECK-NEXT: movn r2, r0, r12
+; CHECK-NEXT: movn r5, r4, r12
+; CHECK-NEXT: movn r4, r0, r12
 ; CHECK-NEXT: ret
   %r = shl i64 %a, %s
   ret i64 %r
@@ -62,24 +64,25 @@ define i64 @lshr_constant(i64 %a) {
 ; CHECK-LABEL: lshr_constant:
 ; CHECK: sll r12, r5, 20
 ; CHECK-NEXT: srl r13, r4, 12
-; CHECK-NEXT: or r2, r13, r12
-; CHECK-NEXT: srl r3, r5, 12
+; CHECK-NEXT: or r4, r13, r12
+; CHECK-NEXT: srl r5, r5, 12
 ; CHECK-NEXT: ret
   %r = lshr i64 %a, 12
   ret i64 %r
 }
 define i64 @ashr(i64 %a, i64 %s) {
 ; CHECK-LABEL: ashr:
-; CHECK: not r13, r6
-; CHECK-NEXT: sll r14, r5, 1
-; CHECK-NEXT: srlv r12, r4, r6
-; CHECK-NEXT: sllv r13, r14, r13
-; CHECK-NEXT: or r2, r13, r12
-; CHECK-NEXT: srav r3, r5, r6
-; CHECK-NEXT: ext r12, r6, 5, 5
-; CHECK-NEXT: sra r13, r5, 31
-; CHECK-NEXT: movn r2, r3, r12
-; CHECK-NEXT: movn r3, r13, r12
+; CHECK: move r12, r5
+; CHECK-NEXT: not r14, r6
+; CHECK-NEXT: sll r15, r12, 1
+; CHECK-NEXT: srlv r13, r4, r6
+; CHECK-NEXT: sllv r14, r15, r14
+; CHECK-NEXT: or r4, r14, r13
+; CHECK-NEXT: srav r5, r12, r6
+; CHECK-NEXT: ext r13, r6, 5, 5
+; CHECK-NEXT: sra r12, r12, 31
+; CHECK-NEXT: movn r4, r5, r13
+; CHECK-NEXT: movn r5, r12, r13
 ; CHECK-NEXT: ret
   %r = ashr i64 %a, %s
   ret i64 %r
@@ -93,18 +96,12 @@ define i64 @divide(i64 %a, i64 %b) {
 ; CHECK-NEXT: move r16, r7
 ; CHECK-NEXT: move r17, r6
 ; CHECK-NEXT: jal __divdi3
-; CHECK-NEXT: move r4, r2
-; CHECK-NEXT: move r5, r3
 ; CHECK-NEXT: move r6, r17
 ; CHECK-NEXT: move r7, r16
 ; CHECK-NEXT: jal __udivdi3
-; CHECK-NEXT: move r4, r2
-; CHECK-NEXT: move r5, r3
 ; CHECK-NEXT: move r6, r17
 ; CHECK-NEXT: move r7, r16
 ; CHECK-NEXT: jal __moddi3
-; CHECK-NEXT: move r4, r2
-; CHECK-NEXT: move r5, r3
 ; CHECK-NEXT: move r6, r17
 ; CHECK-NEXT: move r7, r16
 ; CHECK-NEXT: jal __umoddi3
@@ -123,8 +120,8 @@ define i1 @less(i64 %a, i64 %b) {
 ; CHECK-LABEL: less:
 ; CHECK: xor r12, r5, r7
 ; CHECK-NEXT: sltu r13, r4, r6
-; CHECK-NEXT: slt r2, r5, r7
-; CHECK-NEXT: movz r2, r13, r12
+; CHECK-NEXT: slt r4, r5, r7
+; CHECK-NEXT: movz r4, r13, r12
 ; CHECK-NEXT: ret
   %r = icmp slt i64 %a, %b
   ret i1 %r
@@ -134,17 +131,19 @@ define i1 @equal(i64 %a, i64 %b) {
 ; CHECK: xor r12, r5, r7
 ; CHECK-NEXT: xor r13, r4, r6
 ; CHECK-NEXT: or r12, r13, r12
-; CHECK-NEXT: sltiu r2, r12, 1
+; CHECK-NEXT: sltiu r4, r12, 1
 ; CHECK-NEXT: ret
   %r = icmp eq i64 %a, %b
   ret i1 %r
 }
 define i64 @load_store(ptr %p, ptr %q) {
 ; CHECK-LABEL: load_store:
-; CHECK: lw r2, 0(r4)
-; CHECK-NEXT: lw r3, 4(r4)
-; CHECK-NEXT: sw r2, 0(r5)
-; CHECK-NEXT: sw r3, 4(r5)
+; CHECK: move r13, r4
+; CHECK-NEXT: move r12, r5
+; CHECK-NEXT: lw r4, 0(r13)
+; CHECK-NEXT: lw r5, 4(r13)
+; CHECK-NEXT: sw r4, 0(r12)
+; CHECK-NEXT: sw r5, 4(r12)
 ; CHECK-NEXT: ret
   %v = load i64, ptr %p
   store i64 %v, ptr %q
@@ -174,11 +173,11 @@ define float @to_float(i64 %x) {
 }
 define i64 @select(i1 %c, i64 %a, i64 %b) {
 ; CHECK-LABEL: select:
-; CHECK: move r3, r8
-; CHECK-NEXT: move r2, r7
-; CHECK-NEXT: andi r12, r4, 1
-; CHECK-NEXT: movn r2, r5, r12
-; CHECK-NEXT: movn r3, r6, r12
+; CHECK: andi r12, r4, 1
+; CHECK-NEXT: movn r7, r5, r12
+; CHECK-NEXT: movn r8, r6, r12
+; CHECK-NEXT: move r4, r7
+; CHECK-NEXT: move r5, r8
 ; CHECK-NEXT: ret
   %r = select i1 %c, i64 %a, i64 %b
   ret i64 %r

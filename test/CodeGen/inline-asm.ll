@@ -6,7 +6,7 @@ define i32 @registers(i32 %a, float %b) {
 ; CHECK: neg_s f12, f4
 ; CHECK: trunc_w_s r13, f12
 ; CHECK: add r12, r4, r4
-; CHECK: add r2, r12, r13
+; CHECK: add r4, r12, r13
 ; CHECK-NEXT: ret
   %r = call i32 asm "add $0, $1, $2", "=r,r,r"(i32 %a, i32 %a)
   %s = call float asm "neg_s $0, $1", "=f,f"(float %b)
@@ -16,16 +16,16 @@ define i32 @registers(i32 %a, float %b) {
 }
 define i32 @immediates(i32 %a) {
 ; CHECK-LABEL: immediates:
-; CHECK: addi r2, r4, -5
-; CHECK-NEXT: ori r2, r2, 65535
-; CHECK-NEXT: add r2, r2, r0
+; CHECK: addi r4, r4, -5
+; CHECK-NEXT: ori r4, r4, 65535
+; CHECK-NEXT: add r4, r4, r0
 ; CHECK: ret
   %r = call i32 asm "addi $0, $1, $2\0Aori $0, $0, $3\0Aadd $0, $0, ${4:z}", "=r,r,I,K,J"(i32 %a, i32 -5, i32 65535, i32 0)
   ret i32 %r
 }
 define i32 @memory(ptr %p) {
 ; CHECK-LABEL: memory:
-; CHECK: lw r2, 12(r4)
+; CHECK: lw r4, 12(r4)
 ; CHECK: ret
   %q = getelementptr i32, ptr %p, i32 3
   %r = call i32 asm "lw $0, $1", "=r,*m"(ptr elementtype(i32) %q)
@@ -46,7 +46,7 @@ define i32 @named(i32 %x) {
 ; CHECK-LABEL: named:
 ; CHECK: move r7, r4
 ; CHECK: add r13, r7, r7
-; CHECK: move r2, r13
+; CHECK: move r4, r13
 ; CHECK-NEXT: ret
   %r = call i32 asm "add $0, $1, $1", "={r13},{r7}"(i32 %x)
   ret i32 %r
@@ -66,7 +66,7 @@ define void @clobbers() {
 }
 define i32 @stack_pointer() {
 ; CHECK-LABEL: stack_pointer:
-; CHECK: move r2, r29
+; CHECK: move r4, r29
 ; CHECK-NEXT: ret
   %r = call i32 @llvm.read_register.i32(metadata !0)
   ret i32 %r

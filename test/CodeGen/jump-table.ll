@@ -220,11 +220,11 @@ define i32 @many(i32 %x, ptr %p) {
 ; CHECK-NEXT: .LBB0_71:
 ; CHECK-NEXT: addi r12, r0, 479
 ; CHECK-NEXT: .LBB0_72:
-; CHECK-NEXT: addi r2, r0, 1
+; CHECK-NEXT: addi r4, r0, 1
 ; CHECK-NEXT: sw r12, 0(r5)
 ; CHECK-NEXT: ret
 ; CHECK-NEXT: .LBB0_73:
-; CHECK-NEXT: move r2, r0
+; CHECK-NEXT: move r4, r0
 ; CHECK-NEXT: ret
   switch i32 %x, label %other [
     i32 0, label %case0
@@ -559,11 +559,11 @@ define i32 @few(i32 %x, ptr %p) {
 ; CHECK-NEXT: .LBB1_18:
 ; CHECK-NEXT: addi r12, r0, 45
 ; CHECK-NEXT: .LBB1_19:
-; CHECK-NEXT: addi r2, r0, 1
+; CHECK-NEXT: addi r4, r0, 1
 ; CHECK-NEXT: sw r12, 0(r5)
 ; CHECK-NEXT: ret
 ; CHECK-NEXT: .LBB1_20:
-; CHECK-NEXT: move r2, r0
+; CHECK-NEXT: move r4, r0
 ; CHECK-NEXT: ret
   switch i32 %x, label %other [
     i32 0, label %case0

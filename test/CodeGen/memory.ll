@@ -6,7 +6,7 @@ define i32 @offsets(ptr %p) {
 ; CHECK-LABEL: offsets:
 ; CHECK: lb r12, 32767(r4)
 ; CHECK-NEXT: lhu r13, -32768(r4)
-; CHECK-NEXT: add r2, r12, r13
+; CHECK-NEXT: add r4, r12, r13
 ; CHECK-NEXT: ret
   %q = getelementptr i8, ptr %p, i32 32767
   %a = load i8, ptr %q
@@ -25,7 +25,7 @@ define i32 @indexed(ptr %p, i32 %i) {
 ; CHECK-NEXT: lhx r14, r12(r4)
 ; CHECK-NEXT: lbux r12, r5(r4)
 ; CHECK-NEXT: add r13, r13, r14
-; CHECK-NEXT: add r2, r13, r12
+; CHECK-NEXT: add r4, r13, r12
 ; CHECK-NEXT: ret
   %q = getelementptr i32, ptr %p, i32 %i
   %a = load i32, ptr %q
@@ -54,7 +54,7 @@ define void @indexed_stores(ptr %p, i32 %i, float %f) {
 define i32 @global_element() {
 ; CHECK-LABEL: global_element:
 ; CHECK: lui r12, %hi(array+12)
-; CHECK-NEXT: lw r2, %lo(array+12)(r12)
+; CHECK-NEXT: lw r4, %lo(array+12)(r12)
 ; CHECK-NEXT: ret
   %v = load i32, ptr getelementptr ([10 x i32], ptr @array, i32 0, i32 3)
   ret i32 %v
@@ -62,7 +62,7 @@ define i32 @global_element() {
 define ptr @global_address() {
 ; CHECK-LABEL: global_address:
 ; CHECK: lui r12, %hi(array)
-; CHECK-NEXT: addi r2, r12, %lo(array)
+; CHECK-NEXT: addi r4, r12, %lo(array)
 ; CHECK-NEXT: ret
   ret ptr @array
 }
@@ -71,7 +71,7 @@ define i32 @unaligned(ptr %p) {
 ; CHECK: lhu r13, 2(r4)
 ; CHECK-NEXT: lhu r12, 0(r4)
 ; CHECK-NEXT: sll r13, r13, 16
-; CHECK-NEXT: or r2, r13, r12
+; CHECK-NEXT: or r4, r13, r12
 ; CHECK-NEXT: ret
   %v = load i32, ptr %p, align 2
   ret i32 %v

@@ -7,8 +7,8 @@
 
 define float @fused(float %a, float %b, float %c) {
 ; CHECK-LABEL: fused:
-; FMA: mov_s f0, f6
-; FMA-NEXT: madd_s f0, f4, f5
+; FMA: madd_s f6, f4, f5
+; FMA-NEXT: mov_s f4, f6
 ; FMA-NEXT: ret
 ; LIBRARY: jal fmaf
 ; O0-LABEL: fused:
@@ -22,7 +22,7 @@ define float @negated(float %a, float %b, float %c) {
 ; FMA: neg_s [[PRODUCT:f[0-9]+]], f4
 ; FMA: neg_s [[SUM:f[0-9]+]], f6
 ; FMA: madd_s [[SUM]], [[PRODUCT]], f5
-; FMA: neg_s f0,
+; FMA: neg_s f4,
 ; LIBRARY: jal fmaf
   %x = fneg float %a
   %y = fneg float %c
@@ -35,7 +35,7 @@ define float @addend_is_kept(float %a, float %b, float %c) {
 ; CHECK-LABEL: addend_is_kept:
 ; FMA: mov_s [[COPY:f[0-9]+]], f6
 ; FMA: madd_s [[COPY]], f4, f5
-; FMA: mul_s f0, [[COPY]], f6
+; FMA: mul_s f4, [[COPY]], f6
   %x = call float @llvm.fma.f32(float %a, float %b, float %c)
   %r = fmul float %x, %c
   ret float %r
@@ -46,10 +46,10 @@ define float @addend_is_kept(float %a, float %b, float %c) {
 define float @muladd(float %a, float %b, float %c) {
 ; CHECK-LABEL: muladd:
 ; CHECK: mul_s [[PRODUCT:f[0-9]+]], f4, f5
-; CHECK: add_s f0, [[PRODUCT]], f6
+; CHECK: add_s f4, [[PRODUCT]], f6
 ; UNDECIDED-LABEL: muladd:
-; UNDECIDED: mov_s f0, f6
-; UNDECIDED-NEXT: madd_s f0, f4, f5
+; UNDECIDED: madd_s f6, f4, f5
+; UNDECIDED-NEXT: mov_s f4, f6
   %r = call float @llvm.fmuladd.f32(float %a, float %b, float %c)
   ret float %r
 }
@@ -57,7 +57,7 @@ define float @muladd(float %a, float %b, float %c) {
 define float @apart(float %a, float %b, float %c) {
 ; CHECK-LABEL: apart:
 ; CHECK: mul_s [[PRODUCT:f[0-9]+]], f4, f5
-; CHECK: add_s f0, [[PRODUCT]], f6
+; CHECK: add_s f4, [[PRODUCT]], f6
   %x = fmul float %a, %b
   %r = fadd float %x, %c
   ret float %r
@@ -71,8 +71,8 @@ define double @wide(double %a, double %b, double %c) {
 }
 define float @strict(float %a, float %b, float %c) strictfp {
 ; CHECK-LABEL: strict:
-; FMA: mov_s f0, f6
-; FMA-NEXT: madd_s f0, f4, f5
+; FMA: madd_s f6, f4, f5
+; FMA-NEXT: mov_s f4, f6
   %r = call float @llvm.experimental.constrained.fma.f32(float %a, float %b, float %c, metadata !"round.tonearest", metadata !"fpexcept.strict") strictfp
   ret float %r
 }

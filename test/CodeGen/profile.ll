@@ -11,9 +11,10 @@ define float @loads(ptr %p, ptr %q, float %x) {
 ; CHECK-LABEL: loads:
 ; CHECK: lwc1 f12, 0(r4)
 ; CHECK-NEXT: lwc1 f13, 0(r5)
-; CHECK-DAG: profv 256, r4
-; CHECK-DAG: add_s f0
-; CHECK: ret
+; CHECK-NEXT: profv 256, r4
+; CHECK-NEXT: add_s f12, f12, f4
+; CHECK-NEXT: add_s f4, f12, f13
+; CHECK-NEXT: ret
   %a = load float, ptr %p
   %b = fadd float %a, %x
   %i = ptrtoint ptr %p to i32
@@ -23,14 +24,14 @@ define float @loads(ptr %p, ptr %q, float %x) {
   ret float %d
 }
 ; A message takes the value in flight and does not hold up what follows.
-; CHECK-LABEL: between:
-; CHECK: lw [[A:r[0-9]+]], 0(r4)
-; CHECK: lw [[B:r[0-9]+]], 4(r4)
-; CHECK-DAG: profv 256, [[A]]
-; CHECK-DAG: profv 257, [[B]]
-; CHECK-DAG: add r2
-; CHECK: ret
 define i32 @between(ptr %p) {
+; CHECK-LABEL: between:
+; CHECK: lw r13, 0(r4)
+; CHECK-NEXT: lw r12, 4(r4)
+; CHECK-NEXT: profv 256, r13
+; CHECK-NEXT: profv 257, r12
+; CHECK-NEXT: add r4, r13, r12
+; CHECK-NEXT: ret
   %a = load i32, ptr %p
   call void @tp_profv(i32 256, i32 %a)
   %q = getelementptr i32, ptr %p, i32 1
@@ -41,13 +42,13 @@ define i32 @between(ptr %p) {
 }
 
 ; Equal messages are as many as the program sends.
+define void @order(i32 %v) {
 ; CHECK-LABEL: order:
 ; CHECK: profv 65535, r4
 ; CHECK-NEXT: prof 7
 ; CHECK-NEXT: profv 65535, r4
 ; CHECK-NEXT: profv 1, r0
 ; CHECK-NEXT: ret
-define void @order(i32 %v) {
   call void @tp_profv(i32 65535, i32 %v)
   call void @tp_prof(i32 7)
   call void @tp_profv(i32 65535, i32 %v)
@@ -56,15 +57,15 @@ define void @order(i32 %v) {
 }
 
 ; Neither hoisted out of the loop nor sunk behind it.
-; CHECK-LABEL: loop:
-; CHECK: .LBB{{[0-9_]+}}:
-; CHECK-NOT: ret
-; CHECK: profv 256, r5
-; CHECK-NOT: ret
-; CHECK: bne
-; CHECK-NOT: profv
-; CHECK: ret
 define void @loop(i32 %n, i32 %v) {
+; CHECK-LABEL: loop:
+; CHECK: move r12, r0
+; CHECK-NEXT: .LBB3_1:
+; CHECK: profv 256, r5
+; CHECK: sleep r12
+; CHECK: addi r12, r12, 1
+; CHECK-NEXT: bne r4, r12, .LBB3_1
+; CHECK: ret
 entry:
   br label %body
 body:
@@ -78,14 +79,13 @@ end:
   ret void
 }
 
-; CHECK-LABEL: branch:
-; CHECK: beq r4, r0, [[OTHER:.LBB[0-9_]+]]
-; CHECK-NOT: .LBB
-; CHECK: profv 256, r5
-; CHECK: [[OTHER]]:
-; CHECK-NOT: profv
-; CHECK: ret
 define i32 @branch(i32 %c, i32 %v) {
+; CHECK-LABEL: branch:
+; CHECK: beq r4, r0, .LBB4_2
+; CHECK: profv 256, r5
+; CHECK-NEXT: .LBB4_2:
+; CHECK-NEXT: add r4, r4, r5
+; CHECK-NEXT: ret
   %taken = icmp ne i32 %c, 0
   br i1 %taken, label %then, label %end
 then:

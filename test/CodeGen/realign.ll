@@ -15,7 +15,7 @@ define i32 @over_aligned(i32, i32, i32, i32, i32, i32, i32, i32, i32 %ninth) {
 ; CHECK-NEXT: move r4, r29
 ; CHECK-NEXT: jal use
 ; CHECK-NEXT: lw r12, 0(r29)
-; CHECK-NEXT: add r2, r12, r16
+; CHECK-NEXT: add r4, r12, r16
 ; CHECK-NEXT: addi r29, r30, -64
 ; CHECK-NEXT: lw r16, 52(r29)
 ; CHECK-NEXT: lw r30, 56(r29)
@@ -48,7 +48,7 @@ define i32 @over_aligned_and_dynamic(i32 %n) {
 ; CHECK-NEXT: jal use
 ; CHECK-NEXT: move r4, r16
 ; CHECK-NEXT: jal use
-; CHECK-NEXT: lw r2, 0(r23)
+; CHECK-NEXT: lw r4, 0(r23)
 ; CHECK-NEXT: addi r29, r30, -32
 ; CHECK-NEXT: lw r23, 16(r29)
 ; CHECK-NEXT: lw r16, 20(r29)

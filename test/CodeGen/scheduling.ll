@@ -8,7 +8,7 @@ define i32 @hoist(ptr %p, i32 %a, i32 %b) {
 ; CHECK-NEXT: mul r12, r5, r6
 ; CHECK-NEXT: add r12, r12, r5
 ; CHECK-NEXT: mul r12, r12, r6
-; CHECK-NEXT: add r2, r13, r12
+; CHECK-NEXT: add r4, r13, r12
 ; CHECK-NEXT: ret
   %c = mul i32 %a, %b
   %d = add i32 %c, %a
@@ -23,7 +23,7 @@ define float @two_loads(ptr %p, ptr %q, float %x) {
 ; CHECK: lwc1 f12, 0(r4)
 ; CHECK-NEXT: lwc1 f13, 0(r5)
 ; CHECK-NEXT: add_s f12, f12, f4
-; CHECK-NEXT: add_s f0, f12, f13
+; CHECK-NEXT: add_s f4, f12, f13
 ; CHECK-NEXT: ret
   %a = load float, ptr %p
   %b = fadd float %a, %x
@@ -59,7 +59,7 @@ define i32 @over_division(ptr %p, i32 %a, i32 %b) {
 ; CHECK: lw r13, 0(r4)
 ; CHECK-NEXT: div r12, r5, r6
 ; CHECK-NEXT: add r12, r13, r12
-; CHECK-NEXT: addi r2, r12, 1
+; CHECK-NEXT: addi r4, r12, 1
 ; CHECK-NEXT: ret
   %d = sdiv i32 %a, %b
   %v = load i32, ptr %p

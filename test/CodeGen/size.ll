@@ -15,30 +15,30 @@ define i32 @table(i32 %x, ptr %p) optsize {
 ; CHECK-NEXT: jr r12
 ; CHECK-NEXT: .LBB0_2:
 ; CHECK-NEXT: addi r12, r0, 17
-; CHECK-NEXT: addi r2, r0, 3
+; CHECK-NEXT: addi r4, r0, 3
 ; CHECK-NEXT: j .LBB0_7
 ; CHECK-NEXT: .LBB0_3:
 ; CHECK-NEXT: move r4, r5
 ; CHECK-NEXT: jal g
-; CHECK-NEXT: addi r2, r0, 9
+; CHECK-NEXT: addi r4, r0, 9
 ; CHECK-NEXT: j .LBB0_9
 ; CHECK-NEXT: .LBB0_4:
 ; CHECK-NEXT: move r4, r5
 ; CHECK-NEXT: jal f
-; CHECK-NEXT: addi r2, r0, 1
+; CHECK-NEXT: addi r4, r0, 1
 ; CHECK-NEXT: j .LBB0_9
 ; CHECK-NEXT: .LBB0_5:
 ; CHECK-NEXT: addi r12, r0, 9
-; CHECK-NEXT: addi r2, r0, 5
+; CHECK-NEXT: addi r4, r0, 5
 ; CHECK-NEXT: j .LBB0_7
 ; CHECK-NEXT: .LBB0_6:
 ; CHECK-NEXT: addi r12, r0, 1
-; CHECK-NEXT: addi r2, r0, 4
+; CHECK-NEXT: addi r4, r0, 4
 ; CHECK-NEXT: .LBB0_7:
 ; CHECK-NEXT: sw r12, 0(r5)
 ; CHECK-NEXT: j .LBB0_9
 ; CHECK-NEXT: .LBB0_8:
-; CHECK-NEXT: move r2, r0
+; CHECK-NEXT: move r4, r0
 ; CHECK-NEXT: .LBB0_9:
 ; CHECK-NEXT: lw r31, 4(r29)
 ; CHECK-NEXT: addi r29, r29, 8

@@ -10,7 +10,7 @@ define i32 @use() {
 ; CHECK-NEXT: move r4, r29
 ; CHECK-NEXT: addi r5, r0, 5
 ; CHECK-NEXT: jal make
-; CHECK-NEXT: lw r2, 8(r29)
+; CHECK-NEXT: lw r4, 8(r29)
 ; CHECK-NEXT: lw r31, 12(r29)
 ; CHECK-NEXT: addi r29, r29, 16
 ; CHECK-NEXT: ret
@@ -30,10 +30,10 @@ define void @define_make(ptr sret(%struct.three) align 4 %s, i32 %x) {
 define { i32, i32, float, float } @four() {
 ; CHECK-LABEL: four:
 ; CHECK: lui r12, 16256
-; CHECK-NEXT: mtc1 f1, r12
-; CHECK-NEXT: addi r2, r0, 1
-; CHECK-NEXT: addi r3, r0, 2
-; CHECK-NEXT: mtc1 f0, r0
+; CHECK-NEXT: mtc1 f5, r12
+; CHECK-NEXT: addi r4, r0, 1
+; CHECK-NEXT: addi r5, r0, 2
+; CHECK-NEXT: mtc1 f4, r0
 ; CHECK-NEXT: ret
   ret { i32, i32, float, float } { i32 1, i32 2, float 0.0, float 1.0 }
 }
@@ -55,7 +55,7 @@ define i32 @call_three() {
 ; CHECK-NEXT: move r4, r29
 ; CHECK-NEXT: addi r5, r0, 9
 ; CHECK-NEXT: jal three
-; CHECK-NEXT: lw r2, 8(r29)
+; CHECK-NEXT: lw r4, 8(r29)
 ; CHECK-NEXT: lw r31, 12(r29)
 ; CHECK-NEXT: addi r29, r29, 16
 ; CHECK-NEXT: ret

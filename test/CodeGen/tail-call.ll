@@ -28,7 +28,6 @@ define i32 @indirect_with_frame(ptr %f, i32 %x) {
 ; CHECK-NEXT: jal callee
 ; CHECK-NEXT: lw r12, 0(r29)
 ; CHECK-NEXT: lw r31, 4(r29)
-; CHECK-NEXT: move r4, r2
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: jr r12
   %y = call i32 @callee(i32 %x)

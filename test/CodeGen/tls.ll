@@ -9,8 +9,8 @@ define i32 @increment() {
 ; CHECK-LABEL: increment:
 ; CHECK: lui r12, %hi(counter)
 ; CHECK-NEXT: lw r13, %lo(counter)(r12)
-; CHECK-NEXT: addi r2, r13, 1
-; CHECK-NEXT: sw r2, %lo(counter)(r12)
+; CHECK-NEXT: addi r4, r13, 1
+; CHECK-NEXT: sw r4, %lo(counter)(r12)
 ; CHECK-NEXT: ret
   %p = call ptr @llvm.threadlocal.address.p0(ptr @counter)
   %v = load i32, ptr %p
@@ -23,7 +23,7 @@ define float @element(i32 %i) {
 ; CHECK: lui r12, %hi(table)
 ; CHECK-NEXT: addi r12, r12, %lo(table)
 ; CHECK-NEXT: sll r13, r4, 2
-; CHECK-NEXT: lwxc1 f0, r13(r12)
+; CHECK-NEXT: lwxc1 f4, r13(r12)
 ; CHECK-NEXT: ret
   %p = call ptr @llvm.threadlocal.address.p0(ptr @table)
   %q = getelementptr float, ptr %p, i32 %i
@@ -33,7 +33,7 @@ define float @element(i32 %i) {
 define ptr @address() {
 ; CHECK-LABEL: address:
 ; CHECK: lui r12, %hi(external)
-; CHECK-NEXT: addi r2, r12, %lo(external)
+; CHECK-NEXT: addi r4, r12, %lo(external)
 ; CHECK-NEXT: ret
   %p = call ptr @llvm.threadlocal.address.p0(ptr @external)
   ret ptr %p

@@ -36,9 +36,9 @@ define double @callee(i32 %n, ...) {
 ; CHECK-NEXT: ori r13, r12, 4
 ; CHECK-NEXT: sw r13, 4(r29)
 ; CHECK-NEXT: addi r13, r12, 8
-; CHECK-NEXT: lw r2, 0(r12)
+; CHECK-NEXT: lw r4, 0(r12)
 ; CHECK-NEXT: sw r13, 4(r29)
-; CHECK-NEXT: lw r3, 4(r12)
+; CHECK-NEXT: lw r5, 4(r12)
 ; CHECK-NEXT: addi r29, r29, 8
 ; CHECK-NEXT: ret
   %list = alloca ptr
@@ -51,7 +51,7 @@ define double @callee(i32 %n, ...) {
 define i32 @many_named(i32, i32, i32, i32, i32, i32, i32, i32, i32 %ninth, ...) {
 ; CHECK-LABEL: many_named:
 ; CHECK: addi r29, r29, -8
-; CHECK-NEXT: lw r2, 12(r29)
+; CHECK-NEXT: lw r4, 12(r29)
 ; CHECK-NEXT: addi r12, r29, 12
 ; CHECK-NEXT: addi r12, r12, 4
 ; CHECK-NEXT: sw r12, 4(r29)

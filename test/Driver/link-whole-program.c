@@ -35,7 +35,7 @@ define i32 @fromIr() {
   .text
   .globl fromAssembly
 fromAssembly:
-  addi r2, r0, 2
+  addi r4, r0, 2
   jr r31
 
 //--- object.c

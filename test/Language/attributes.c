@@ -64,7 +64,7 @@ typedef int May __attribute__((may_alias));
 __attribute__((noinline)) int punned(float *F) { return *(May *)F; }
 __attribute__((naked)) int nakedFunction(int V);
 #ifdef __tp__
-int nakedFunction(int V) { __asm__("addi r2, r4, 5\n\tjr ra"); }
+int nakedFunction(int V) { __asm__("addi r4, r4, 5\n\tjr ra"); }
 #else
 int plain(int V) { return V + 5; }
 int nakedFunction(int V) { __asm__("jmp plain"); }

@@ -95,14 +95,13 @@ __attribute__((noinline)) int addresses(int *P) {
 }
 __attribute__((noinline)) int call(int V) {
 #ifdef __tp__
-  register int Argument __asm__("r4") = V;
-  register int Result __asm__("r2");
-  __asm__ volatile("jal %2"
-                   : "=r"(Result), "+r"(Argument)
+  register int Value __asm__("r4") = V;
+  __asm__ volatile("jal %1"
+                   : "+r"(Value)
                    : "i"(twice)
-                   : "r31", "r3", "r5", "r6", "r7", "r8", "r9", "r10", "r11",
-                     "r12", "r13", "r14", "r15", "memory");
-  return Result;
+                   : "r31", "r2", "r3", "r5", "r6", "r7", "r8", "r9", "r10",
+                     "r11", "r12", "r13", "r14", "r15", "memory");
+  return Value;
 #else
   return twice(V);
 #endif
@@ -177,7 +176,7 @@ __attribute__((noinline)) int flow(int N) {
 }
 #ifdef __tp__
 __asm__(".text\n.globl fromAssembly\n.type fromAssembly,@function\nfromAssembly:\n"
-        "\taddi r2, r4, 123\n\tjr ra\n.size fromAssembly, .-fromAssembly");
+        "\taddi r4, r4, 123\n\tjr ra\n.size fromAssembly, .-fromAssembly");
 int fromAssembly(int);
 #else
 static int fromAssembly(int V) { return V + 123; }

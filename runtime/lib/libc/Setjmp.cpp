@@ -25,14 +25,14 @@
 extern "C" {
 
 __attribute__((naked)) int setjmp(jmp_buf) {
-  __asm__ volatile(TP_EACH_REGISTER("sw", "swc1") "addi r2, r0, 0\n\t"
+  __asm__ volatile(TP_EACH_REGISTER("sw", "swc1") "addi r4, r0, 0\n\t"
                                                   "jr r31");
 }
 
 __attribute__((naked)) void longjmp(jmp_buf, int) {
-  __asm__ volatile(TP_EACH_REGISTER("lw", "lwc1") "addi r2, r5, 0\n\t"
+  __asm__ volatile(TP_EACH_REGISTER("lw", "lwc1") "addi r4, r5, 0\n\t"
                                                   "bne r5, r0, 1f\n\t"
-                                                  "addi r2, r0, 1\n"
+                                                  "addi r4, r0, 1\n"
                                                   "1:\n\t"
                                                   "jr r31");
 }

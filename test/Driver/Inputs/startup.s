@@ -3,5 +3,5 @@
   .type _start,@function
 _start:
   jal main
-  halt r2
+  halt r4
   .size _start, .-_start

@@ -1,4 +1,4 @@
   .globl addTwo
 addTwo:
-  addi r2, r4, 2
+  addi r4, r4, 2
   jr ra
