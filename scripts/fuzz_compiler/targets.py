@@ -30,8 +30,12 @@ NATIVE = [
     "-fno-pic", "-fno-pie", "-fno-stack-protector", "-fno-strict-aliasing",
     "-march=pentium4", "-mno-mmx", "-fno-math-errno",
 ]
-# A program with a pointer to a packed field is not comparable.
-NATIVE_ERRORS = ["-Wno-everything", "-Werror=address-of-packed-member"]
+# A program with a pointer to a packed field is not comparable. What the warning
+# does not see traps.
+NATIVE_ERRORS = [
+    "-Wno-everything", "-Werror=address-of-packed-member",
+    "-fsanitize=alignment", "-fsanitize-trap=alignment",
+]
 NATIVE_LINK = ["-static", "-nostdlib", "-no-pie"]
 NATIVE_COMPILERS = {
     "c": ["clang-22", "gcc"],
