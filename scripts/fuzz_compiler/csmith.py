@@ -44,5 +44,5 @@ def program(seed, directory):
     """The program's text. csmith leaves a file in the directory."""
     return subprocess.run(
         ["csmith", *options(seed)], cwd=directory, capture_output=True,
-        text=True, check=True, timeout=60,
+        text=True, check=True, timeout=4,
     ).stdout

@@ -7,7 +7,9 @@ import subprocess
 
 import csmith
 import cxx.program
-from targets import Unusable, native_compilers
+from targets import (
+    NATIVE_COMPILERS, SANITIZED, Unusable, native_compilers,
+)
 
 
 def write_csmith(seed, directory):
@@ -42,11 +44,13 @@ class Outcome:
     failures: tuple = ()
 
 
-def native_output(tools, source, directory):
-    """What all native compilers agree on."""
+def native_output(tools, source, compilers, directory):
+    """What the native compilers agree on."""
     outputs = {
-        compiler: tools.expected(source, compiler, directory)
-        for compiler in native_compilers(source)
+        compiler: tools.expected(
+            source, compiler, directory,
+            SANITIZED if compiler == NATIVE_COMPILERS["cpp"][0] else ())
+        for compiler in compilers
     }
     if len(set(outputs.values())) != 1:
         raise Unusable("the native compilers disagree")
@@ -63,7 +67,12 @@ def compare(tools, kind, seed, levels, modes, directory):
     """The outcome of a program, which is written into the directory."""
     try:
         source = KINDS[kind](seed, directory)
-        expected = native_output(tools, source, directory)
+        compilers = native_compilers(source)
+        # csmith's programs are known to be defined: one compiler is enough
+        # for the half of them.
+        if kind == "csmith" and seed % 2:
+            compilers = compilers[:1]
+        expected = native_output(tools, source, compilers, directory)
     except Unusable as reason:
         return Outcome(kind, seed, "unusable", str(reason))
     failures = []

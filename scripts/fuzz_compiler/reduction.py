@@ -8,16 +8,15 @@ import shutil
 import sys
 
 from targets import (
-    COMMON, Failure, Unusable, compile_failure, language, native_compilers,
-    run,
+    COMMON, SANITIZED, Failure, Unusable, compile_failure, language,
+    native_compilers, run,
 )
 
 COMPILER_FAILURES = ("crash", "verifier", "rejected", "endless compilation")
 
 # What makes a program undefined must not be what a reduction ends with.
-CHECKED = ["-fsanitize=undefined,bounds,float-cast-overflow",
-           "-fsanitize-trap=all", "-Werror=uninitialized",
-           "-Werror=return-type", "-Werror=conditional-uninitialized"]
+CHECKED = SANITIZED + ["-Werror=uninitialized", "-Werror=return-type",
+                       "-Werror=conditional-uninitialized"]
 
 
 def signature(text):

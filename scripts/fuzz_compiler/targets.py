@@ -4,6 +4,7 @@
 import dataclasses
 import os
 import re
+import signal
 import subprocess
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -36,6 +37,9 @@ NATIVE_ERRORS = [
     "-Wno-everything", "-Werror=address-of-packed-member",
     "-fsanitize=alignment", "-fsanitize-trap=alignment",
 ]
+# The undefined ends a native C++ program, which then does not count.
+SANITIZED = ["-fsanitize=undefined,bounds,float-cast-overflow",
+             "-fsanitize-trap=all"]
 NATIVE_LINK = ["-static", "-nostdlib", "-no-pie"]
 NATIVE_COMPILERS = {
     "c": ["clang-22", "gcc"],
@@ -67,14 +71,20 @@ class Failure:
 
 
 def run(arguments, seconds, **options):
-    """The finished process, None if it took too long."""
-    try:
-        return subprocess.run(
-            arguments, capture_output=True, timeout=seconds, check=False,
-            **options,
-        )
-    except subprocess.TimeoutExpired:
-        return None
+    """The finished process; None if it took too long, and then it has ended
+    with all that it started."""
+    with subprocess.Popen(
+        arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        start_new_session=True, **options,
+    ) as process:
+        try:
+            output, errors = process.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+            return None
+    return subprocess.CompletedProcess(
+        arguments, process.returncode, output, errors)
 
 
 def language(source):

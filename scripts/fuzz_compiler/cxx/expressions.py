@@ -153,7 +153,8 @@ class Expressions:
             amount = str(self.generator.randrange(kind.bits))
         if self.chance(0.5):
             return f"({kind.name})(({kind.wide})({value}) << {amount})"
-        return f"({kind.name})(({value}) >> {amount})"
+        # A bit-field may be promoted to int, which is shorter than its type.
+        return f"({kind.name})(({kind.name})({value}) >> {amount})"
 
     def conversion(self, kind, scope, depth):
         other = self.choice(INTEGERS + [BOOLEAN] + self.enumerations
