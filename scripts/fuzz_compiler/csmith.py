@@ -29,12 +29,9 @@ def options(seed):
     words += ["--max-expr-complexity", str(generator.randint(4, 10))]
     words += ["--max-array-dim", str(generator.randint(1, 3))]
     # A pointer to a packed field would be to a misaligned object, which is
-    # undefined. Such programs are refused later; with pointers most are such.
-    kind = generator.random()
-    if kind < 0.6:
-        words += ["--no-packed-struct"]
-    elif kind < 0.9:
-        words += ["--no-pointers"]
+    # undefined.
+    words += ["--no-packed-struct" if generator.random() < 0.6
+              else "--no-pointers"]
     return words + [
         word for chance, word in VARIATIONS if generator.random() < chance
     ]
