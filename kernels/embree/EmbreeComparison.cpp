@@ -146,6 +146,8 @@ int main(int ArgumentCount, char **Arguments) {
     std::fputs(runnerUsage(Program).c_str(), stdout);
     return 0;
   }
+  if (Options->ScenePath.empty())
+    return fail(Program, "no scene; give one with --scene FILE");
   const ErrorOr<Scene> Source = loadScene(Options->ScenePath);
   if (!Source)
     return fail(Program, Source.message());

@@ -6,7 +6,7 @@
 
 // CHECK-LABEL: fourth_power:
 // CHECK: mul_s [[SQUARE:f[0-9]+]], f4, f4
-// CHECK-NEXT: mul_s f0, [[SQUARE]], [[SQUARE]]
+// CHECK-NEXT: mul_s f4, [[SQUARE]], [[SQUARE]]
 // CHECK-NEXT: ret
 float fourth_power(float x) { return x * x * x * x; }
 
@@ -21,7 +21,7 @@ float fourth_power(float x) { return x * x * x * x; }
 float quotient(float x, float y, float z) { return x / y / z; }
 
 // CHECK-LABEL: reciprocal_root:
-// CHECK: rsqrt_s f0, f4
+// CHECK: rsqrt_s f4, f4
 // CHECK-NEXT: ret
 // OFF-LABEL: reciprocal_root:
 // OFF-NOT: rsqrt_s
@@ -30,7 +30,7 @@ float reciprocal_root(float x) { return 1 / __builtin_sqrtf(x); }
 
 // In double precision by name, but rounded once: the same function.
 // CHECK-LABEL: wide_root:
-// CHECK: rsqrt_s f0, f4
+// CHECK: rsqrt_s f4, f4
 // OFF-LABEL: wide_root:
 // OFF-NOT: rsqrt_s
 // OFF: ret
@@ -39,9 +39,9 @@ float wide_root(float x) { return 1 / __builtin_sqrt(x); }
 // A quotient is a product with the reciprocal, also if there is only one.
 // CHECK-LABEL: single:
 // CHECK: rcp_s [[R:f[0-9]+]], f5
-// CHECK-NEXT: mul_s f0, f4, [[R]]
+// CHECK-NEXT: mul_s f4, f4, [[R]]
 // OFF-LABEL: single:
-// OFF: div_s f0, f4, f5
+// OFF: div_s f4, f4, f5
 float single(float x, float y) { return x / y; }
 
 // FMA-LABEL: multiply_add:
