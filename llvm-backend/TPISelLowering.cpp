@@ -101,6 +101,10 @@ void TPTargetLowering::configureMemory() {
   setMaxAtomicSizeInBitsSupported(32);
   setMinCmpXchgSizeInBits(32);
 
+  // More than the four byte stores that merge. The search takes time quadratic
+  // in the stores of a block, which whole-program optimization makes long.
+  GatherAllAliasesMaxDepth = 8;
+
   // A load takes a hundred cycles, a store one: all loads of a copy go first.
   MaxGluedStoresPerMemcpy = 16;
   MaxStoresPerMemcpy = MaxStoresPerMemmove = 16;

@@ -61,7 +61,6 @@ public:
   void getUnrollingPreferences(Loop *L, ScalarEvolution &SE,
                                TTI::UnrollingPreferences &UP,
                                OptimizationRemarkEmitter *ORE) const override;
-  unsigned getInliningThresholdMultiplier() const override { return 1; }
   bool haveFastSqrt(Type *Ty) const override { return Ty->isFloatTy(); }
   TTI::PopcntSupportKind getPopcntSupport(unsigned) const override {
     return TTI::PSK_Software;
