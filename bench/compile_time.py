@@ -15,9 +15,10 @@ import argparse
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+
+from command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "kernels/pathtracer/PathTracer.cpp"
@@ -29,18 +30,6 @@ RISCV = ["--target=riscv32-unknown-elf", "-march=rv32imf_zba_zbb",
          "-fno-rtti", "-ffp-contract=off", "-fno-math-errno",
          "-fno-strict-float-cast-overflow", "-ftls-model=local-exec",
          "-nostdlibinc", "-D__tp__", "-D__TP__", "-D__TP_TRIG__"]
-
-
-def run(command):
-    try:
-        result = subprocess.run([str(word) for word in command], text=True,
-                                capture_output=True, check=False)
-    except OSError as error:
-        sys.exit(f"error: {error}; build everything first (scripts/build.sh), "
-                 "and install what is missing")
-    if result.returncode != 0:
-        sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
-    return result
 
 
 def seconds(command):

@@ -14,9 +14,10 @@ import argparse
 import json
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+from command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -54,26 +55,15 @@ class Bench:
         self.binaries = binaries
         self.folder = folder
 
-    def run(self, command):
-        try:
-            result = subprocess.run([str(word) for word in command], text=True,
-                                    capture_output=True, check=False)
-        except OSError as error:
-            sys.exit(f"error: {error}; build everything first "
-                     "(scripts/build.sh)")
-        if result.returncode != 0:
-            sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
-        return result.stdout
-
     def compile(self, sources, flags):
         program = self.folder / "program.elf"
-        self.run([self.binaries / "tpcc", *flags, "-I", ROOT,
-                  *(ROOT / source for source in sources), "-o", program])
+        run([self.binaries / "tpcc", *flags, "-I", ROOT,
+             *(ROOT / source for source in sources), "-o", program])
         return program
 
     def simulate(self, program, chip, *options):
-        return self.run([self.binaries / "tpsim", program, "--quiet",
-                         "--chip", chip, *options])
+        return run([self.binaries / "tpsim", program, "--quiet",
+                    "--chip", chip, *options]).stdout
 
     def statistics(self, program, chip, *options):
         """(cycles, instructions) of a whole run."""
@@ -113,8 +103,8 @@ class Bench:
     def write_scene(self):
         """A mesh on which the two-pass builder does not fail."""
         scene = self.folder / "knot.glb"
-        self.run([sys.executable, ROOT / "scenes/knot/make_knot.py", scene,
-                  "80", "24"])
+        run([sys.executable, ROOT / "scenes/knot/make_knot.py", scene,
+             "80", "24"])
         return scene
 
 

@@ -10,9 +10,9 @@ import argparse
 import json
 import math
 import pathlib
-import subprocess
-import sys
 import tempfile
+
+from command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CHIPS = ("4x32", "report-512x8")
@@ -27,17 +27,6 @@ BUILDER = ["kernels/bvhbuilder/BuildBvh.cpp", "kernels/bvhbuilder/SceneBvh.cpp",
            "kernels/bvh/BvhBuilder.cpp", "kernels/bvh/WideBvh.cpp"]
 
 
-def run(command):
-    try:
-        result = subprocess.run([str(word) for word in command], text=True,
-                                capture_output=True, check=False, cwd=ROOT)
-    except OSError as error:
-        sys.exit(f"error: {error}; build everything first (scripts/build.sh), "
-                 "and install what is missing")
-    if result.returncode != 0:
-        sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
-
-
 class Bench:
     def __init__(self, arguments, folder):
         self.tpcc = arguments.bin / "tpcc"
@@ -47,13 +36,14 @@ class Bench:
 
     def compile(self, sources):
         program = self.folder / "program.elf"
-        run([self.tpcc, "-O3", *self.flags, "-I", ".", *sources, "-o", program])
+        run([self.tpcc, "-O3", *self.flags, "-I", ".", *sources, "-o", program],
+            cwd=ROOT)
         return program
 
     def simulate(self, program, chip, scene, *options):
         path = self.folder / "statistics.json"
         run([self.tpsim, program, "--quiet", "--chip", chip, "--scene", scene,
-             *options, "--stats", path])
+             *options, "--stats", path], cwd=ROOT)
         figures = json.loads(path.read_text(encoding="utf-8"))["run"]
         return figures["cycles"], figures["instructions"]
 

@@ -35,6 +35,11 @@ static MemoryEffects withCopies(MemoryEffects Effects) {
   return Effects | MemoryEffects::argMemOnly();
 }
 
+/// The least alignment of the copy for argument \p Number.
+static Align getCopyAlign(const CallBase &Call, unsigned Number) {
+  return std::max(Call.getParamAlign(Number).valueOrOne(), Align(4));
+}
+
 namespace {
 /// What an instruction does with an object of its function.
 enum class Access { None, Write, Other };
@@ -70,8 +75,7 @@ static Access getAccess(const Use &Use, uint64_t Bytes) {
 static bool isTemporaryOf(const CallInst &Call, unsigned Number) {
   const auto *Temporary = dyn_cast<AllocaInst>(Call.getArgOperand(Number));
   if (!Temporary || !Temporary->isStaticAlloca() ||
-      Temporary->getAlign() <
-          std::max(Call.getParamAlign(Number).valueOrOne(), Align(4)) ||
+      Temporary->getAlign() < getCopyAlign(Call, Number) ||
       Call.getFunction()->callsFunctionThatReturnsTwice())
     return false;
   const uint64_t Bytes =
@@ -94,8 +98,7 @@ static Value *createCopy(CallInst &Call, unsigned Number) {
   Function &Caller = *Call.getFunction();
   const DataLayout &Layout = Caller.getDataLayout();
   Type *Struct = Call.getParamByValType(Number);
-  const Align Alignment =
-      std::max(Call.getParamAlign(Number).valueOrOne(), Align(4));
+  const Align Alignment = getCopyAlign(Call, Number);
 
   IRBuilder<> Builder(&Caller.getEntryBlock(),
                       Caller.getEntryBlock().getFirstInsertionPt());

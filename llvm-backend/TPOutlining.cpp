@@ -18,8 +18,6 @@
 
 using namespace llvm;
 
-static constexpr unsigned InstructionBytes = 4;
-
 bool TPInstrInfo::isFunctionSafeToOutlineFrom(
     MachineFunction &MF, bool OutlineFromLinkOnceODRs) const {
   const Function &F = MF.getFunction();
@@ -55,9 +53,9 @@ TPInstrInfo::getOutliningCandidateInfo(
   for (const MachineInstr &MI : RepeatedSequenceLocs.front())
     Bytes += getInstSizeInBytes(MI);
   for (outliner::Candidate &C : RepeatedSequenceLocs)
-    C.setCallInfo(/*CID=*/0, /*CO=*/InstructionBytes);
+    C.setCallInfo(/*CID=*/0, /*CO=*/get(TP::JAL).getSize());
   return std::make_unique<outliner::OutlinedFunction>(
-      RepeatedSequenceLocs, Bytes, /*FrameOverhead=*/InstructionBytes,
+      RepeatedSequenceLocs, Bytes, /*FrameOverhead=*/get(TP::RET).getSize(),
       /*FrameConstructionID=*/0);
 }
 

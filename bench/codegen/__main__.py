@@ -14,7 +14,6 @@ others."""
 
 import argparse
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -23,17 +22,8 @@ import targets
 import units
 from counts import count_instructions
 
-
-def run(command):
-    try:
-        result = subprocess.run([str(word) for word in command], text=True,
-                                capture_output=True, check=False)
-    except OSError as error:
-        sys.exit(f"error: {error}; build tpcc, tp-runtime and tp-objdump, and "
-                 "install clang-22 and llvm-22")
-    if result.returncode != 0:
-        sys.exit(f"error: {' '.join(map(str, command))}\n{result.stderr}")
-    return result.stdout
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from command import run
 
 
 def count_unit(unit, compilers, options, contraction, folder):
@@ -43,7 +33,8 @@ def count_unit(unit, compilers, options, contraction, folder):
         compiled = folder / "unit.o"
         run(compiler.compile(unit, options, contraction, compiled))
         per_compiler.append(
-            count_instructions(run(compiler.disassemble(compiled))))
+            count_instructions(
+                run(compiler.disassemble(compiled)).stdout))
     common = [name for name in per_compiler[0]
               if all(counts.get(name) for counts in per_compiler)]
     return {name: [counts[name] for counts in per_compiler]
