@@ -39,9 +39,7 @@ extern thread_local Distant Far;
 
 thread_local Distant Far;
 
-Distant::~Distant() {
-  tp::atomicAdd(&ThreadEnds, 1u);
-}
+Distant::~Distant() { tp::atomicAdd(&ThreadEnds, 1u); }
 
 //--- main.cpp
 #include "shared.h"

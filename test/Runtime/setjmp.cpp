@@ -32,7 +32,8 @@ __attribute__((always_inline)) static inline void overwriteSavedRegisters() {
   OVERWRITE(17)
   OVERWRITE(18)
   OVERWRITE(19)
-  OVERWRITE(20) OVERWRITE(21) OVERWRITE(22) OVERWRITE(23)
+  OVERWRITE(20)
+  OVERWRITE(21) OVERWRITE(22) OVERWRITE(23)
 #undef OVERWRITE
 #define OVERWRITE(N) __asm__ volatile("mov_s f" #N ", %0" ::"f"(Zero) : "f" #N);
       OVERWRITE(20) OVERWRITE(21) OVERWRITE(22) OVERWRITE(23) OVERWRITE(24)
