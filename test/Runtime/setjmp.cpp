@@ -27,18 +27,29 @@
 __attribute__((always_inline)) static inline void overwriteSavedRegisters() {
 #ifdef __tp__
   float Zero = 0;
-#define OVERWRITE(N) __asm__ volatile("addi r" #N ", r0, 1234" ::: "r" #N);
-  OVERWRITE(16)
-  OVERWRITE(17)
-  OVERWRITE(18)
-  OVERWRITE(19)
-  OVERWRITE(20)
-  OVERWRITE(21) OVERWRITE(22) OVERWRITE(23)
+#define OVERWRITE(N) __asm__ volatile("addi r" #N ", r0, 1234" ::: "r" #N)
+  OVERWRITE(16);
+  OVERWRITE(17);
+  OVERWRITE(18);
+  OVERWRITE(19);
+  OVERWRITE(20);
+  OVERWRITE(21);
+  OVERWRITE(22);
+  OVERWRITE(23);
 #undef OVERWRITE
-#define OVERWRITE(N) __asm__ volatile("mov_s f" #N ", %0" ::"f"(Zero) : "f" #N);
-      OVERWRITE(20) OVERWRITE(21) OVERWRITE(22) OVERWRITE(23) OVERWRITE(24)
-          OVERWRITE(25) OVERWRITE(26) OVERWRITE(27) OVERWRITE(28) OVERWRITE(29)
-              OVERWRITE(30) OVERWRITE(31)
+#define OVERWRITE(N) __asm__ volatile("mov_s f" #N ", %0" ::"f"(Zero) : "f" #N)
+  OVERWRITE(20);
+  OVERWRITE(21);
+  OVERWRITE(22);
+  OVERWRITE(23);
+  OVERWRITE(24);
+  OVERWRITE(25);
+  OVERWRITE(26);
+  OVERWRITE(27);
+  OVERWRITE(28);
+  OVERWRITE(29);
+  OVERWRITE(30);
+  OVERWRITE(31);
 #undef OVERWRITE
 #endif
 }
