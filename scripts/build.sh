@@ -12,4 +12,5 @@ cmake --preset default >build-configure.log 2>&1 || {
   exit 1
 }
 rm build-configure.log
+scripts/install-node-modules.sh
 cmake --build --preset default ${1:+--target "$@"}

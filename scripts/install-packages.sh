@@ -15,6 +15,9 @@ packages=(
   libclang-rt-22-dev gcc g++ make python3-jsonschema clangd-22 dpkg-dev
   "$@"
 )
+# Node.js comes with npm from some places, from Debian without.
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -18,6 +18,8 @@ config.environment["PATH"] = os.pathsep.join(
     [bin_dir, config.llvm_tools_dir, config.environment["PATH"]]
 )
 config.environment["LC_ALL"] = "C"
+config.environment["NODE_PATH"] = os.path.join(
+    config.tp_build_dir, "node", "node_modules")
 
 backend = os.path.join(config.tp_build_dir, "lib", "libLLVMTP.so")
 config.substitutions += [
