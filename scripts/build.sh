@@ -12,5 +12,4 @@ cmake --preset default >build-configure.log 2>&1 || {
   exit 1
 }
 rm build-configure.log
-scripts/install-node-modules.sh
 cmake --build --preset default ${1:+--target "$@"}

@@ -6,4 +6,5 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/build.sh
+scripts/install-node-modules.sh
 ctest --preset default -j "$(nproc)"
