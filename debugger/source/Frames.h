@@ -11,6 +11,7 @@
 #include "debugger/source/SourceFiles.h"
 
 #include "llvm/DebugInfo/DWARF/LowLevel/DWARFUnwindTable.h"
+#include "llvm/Support/Error.h"
 
 #include <cstdint>
 #include <memory>
@@ -67,14 +68,24 @@ public:
   /// The canonical frame address.
   llvm::Expected<uint32_t> cfa(const FrameContext &Context) const;
 
+  /// What \p Register holds in the body of the frame's function, as the base
+  /// of its variables: also known while the frame is made and taken down.
+  llvm::Expected<uint32_t> frameBase(const FrameContext &Context,
+                                     unsigned Register) const;
+
 private:
   struct Rules;
 
-  llvm::DWARFContext &Dwarf;
   const SourceMap &Map;
   std::unique_ptr<Rules> Table;
 
-  llvm::Expected<const llvm::dwarf::UnwindRow *> rowAt(uint32_t Pc) const;
+  llvm::Expected<uint32_t> cfaOf(const llvm::dwarf::UnwindRow &Row,
+                                 const FrameContext &Context) const;
+  llvm::Error restore(unsigned Register,
+                      const llvm::dwarf::UnwindLocation &Rule, uint32_t Cfa,
+                      const FrameContext &Callee, FrameContext &Caller) const;
+  void addFrames(const FrameContext &Context, uint32_t Cfa, size_t Limit,
+                 std::vector<Frame> &Frames) const;
 };
 
 } // namespace tp

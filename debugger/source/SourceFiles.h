@@ -12,6 +12,7 @@
 #include "llvm/ADT/StringRef.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/MD5.h"
+#include "llvm/Support/MemoryBuffer.h"
 
 #include <cstdint>
 #include <memory>
@@ -39,6 +40,11 @@ struct SourcePosition {
 /// The files that a program was compiled from, and their text.
 class SourceFiles {
 public:
+  SourceFiles();
+  ~SourceFiles();
+  SourceFiles(const SourceFiles &) = delete;
+  SourceFiles &operator=(const SourceFiles &) = delete;
+
   /// Adds a file, or finds it: \p Name as the compiler was told, made absolute
   /// by \p Folder, where the compiler ran. \p Checksum is the text's when it
   /// was compiled.

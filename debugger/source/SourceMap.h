@@ -11,6 +11,10 @@
 #include "debugger/source/SourceFiles.h"
 #include "simulator/loader/ElfProgram.h"
 
+#include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/DenseMap.h"
+#include "llvm/ADT/SmallVector.h"
+#include "llvm/ADT/StringMap.h"
 #include "llvm/DebugInfo/DWARF/DWARFDie.h"
 
 #include <cstdint>
@@ -23,6 +27,8 @@ class DWARFContext;
 }
 
 namespace tp {
+
+class NameIndex;
 
 /// Addresses [Begin, End) that come from one line.
 struct LineRange {
@@ -83,9 +89,9 @@ struct LineStop {
 /// function has.
 class SourceMap {
 public:
-  /// \p Program, \p Dwarf and \p Files must outlive the map.
+  /// What is passed must outlive the map.
   SourceMap(const ElfProgram &Program, llvm::DWARFContext &Dwarf,
-            SourceFiles &Files);
+            const NameIndex &Names, SourceFiles &Files);
 
   /// Whether there are lines at all.
   bool hasLines() const { return !Lines.empty(); }
@@ -115,6 +121,12 @@ public:
   /// functionAt(). Empty if none is known.
   std::vector<InlinedCall> callsAt(uint32_t Pc) const;
 
+  /// Where \p Die, or what it completes or is a copy of, is declared.
+  SourcePosition declarationOf(llvm::DWARFDie Die) const;
+  /// The blocks and inlined copies that hold \p Pc from the innermost one out
+  /// to the function itself.
+  std::vector<llvm::DWARFDie> blocksAt(uint32_t Pc) const;
+
   /// `name+12` of the symbol that holds \p Address, code or data.
   std::optional<std::string> symbolAt(uint32_t Address) const;
   /// `0x00010040 <main()+12>` or only the address.
@@ -123,29 +135,43 @@ public:
   SourceFiles &files() const { return Files; }
 
 private:
+  friend class SourceMapReader;
+
   struct Symbol {
     uint32_t Address = 0;
     uint32_t Size = 0;
     bool IsCode = false;
     std::string Name;
   };
+  /// A function, an inlined copy or a block of variables.
+  struct Block {
+    llvm::SmallVector<AddressRange, 1> Ranges;
+    llvm::DWARFDie Die;
+    /// Of whom this is the outermost block, or which it is part of.
+    uint32_t Function = 0;
+    bool IsInlined = false;
+    std::vector<Block> Inner;
 
-  llvm::DWARFContext &Dwarf;
+    bool contains(uint32_t Pc) const;
+  };
+
   SourceFiles &Files;
   std::vector<LineRange> Lines;
+  /// Numbers in Lines by file and line.
+  std::vector<uint32_t> ByLine;
   std::vector<FunctionInfo> Functions;
-  /// Code ranges of functions that are not inlined, by address.
+  /// Code of functions that are not inlined, by address, and their blocks.
   std::vector<std::pair<AddressRange, uint32_t>> ByAddress;
-  /// By address.
+  std::vector<Block> Blocks;
+  /// Functions by their BaseName, with and without template arguments.
+  llvm::StringMap<std::vector<uint32_t>> ByName;
   std::vector<Symbol> Symbols;
-  /// Inlined copies by the offset of their DIE.
-  llvm::DenseMap<uint64_t, uint32_t> ByDie;
+  /// The files of each unit by its offset.
+  llvm::DenseMap<uint64_t, std::vector<SourceFileId>> UnitFiles;
 
-  void readLines(const ElfProgram &Program);
-  void readSymbols(const ElfProgram &Program);
-  void readFunctions(const ElfProgram &Program);
-  void addBlocks(llvm::DWARFDie Die, uint32_t Owner);
-  uint32_t bodyOf(const FunctionInfo &Function) const;
+  SourceFileId fileOf(llvm::DWARFDie Die, uint64_t Number) const;
+  void chainAt(uint32_t Pc, std::vector<const Block *> &Chain) const;
+  uint32_t stopIn(uint32_t Address) const;
 };
 
 } // namespace tp
