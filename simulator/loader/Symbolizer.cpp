@@ -12,14 +12,17 @@ using namespace llvm;
 
 namespace tp {
 
-static symbolize::LLVMSymbolizer::Options options() {
+static symbolize::LLVMSymbolizer::Options options(SourcePaths Paths) {
+  using PathKind = DILineInfoSpecifier::FileLineInfoKind;
   symbolize::LLVMSymbolizer::Options Options;
-  Options.PathStyle = DILineInfoSpecifier::FileLineInfoKind::RawValue;
+  Options.PathStyle = Paths == SourcePaths::Absolute
+                          ? PathKind::AbsoluteFilePath
+                          : PathKind::RawValue;
   return Options;
 }
 
-Symbolizer::Symbolizer(const ElfProgram &Program)
-    : Program(Program), Implementation(options()) {}
+Symbolizer::Symbolizer(const ElfProgram &Program, SourcePaths Paths)
+    : Program(Program), Implementation(options(Paths)) {}
 
 std::vector<SourceFrame> Symbolizer::frames(uint32_t Pc) {
   std::vector<SourceFrame> Frames;
@@ -39,6 +42,8 @@ std::vector<SourceFrame> Symbolizer::frames(uint32_t Pc) {
     Frame.File = Known(Line.FileName);
     Frame.Line = Line.Line;
     Frame.Column = Line.Column;
+    Frame.FunctionFile = Known(Line.StartFileName);
+    Frame.FunctionLine = Line.StartLine;
     if (!Frame.Function.empty() || !Frame.File.empty())
       Frames.push_back(std::move(Frame));
   }

@@ -24,6 +24,17 @@ struct SourceFrame {
   std::string File;
   unsigned Line = 0;
   unsigned Column = 0;
+  /// Where Function begins.
+  std::string FunctionFile;
+  unsigned FunctionLine = 0;
+};
+
+/// How files are named.
+enum class SourcePaths {
+  /// As the compiler was told.
+  AsCompiled,
+  /// With the directory in which it was.
+  Absolute,
 };
 
 /// Finds where an instruction comes from, by DWARF and else by the symbol
@@ -31,7 +42,8 @@ struct SourceFrame {
 class Symbolizer {
 public:
   /// \p Program must outlive the symbolizer.
-  explicit Symbolizer(const ElfProgram &Program);
+  explicit Symbolizer(const ElfProgram &Program,
+                      SourcePaths Paths = SourcePaths::AsCompiled);
 
   /// The function that holds \p Pc and those it was inlined into, innermost
   /// first. Empty if nothing is known.

@@ -13,10 +13,8 @@
 #ifndef TP_SIMULATOR_PROFILE_PROFILE_H
 #define TP_SIMULATOR_PROFILE_PROFILE_H
 
-#include "simulator/memory/MemoryRequest.h"
 #include "simulator/stats/Statistics.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,28 +30,10 @@ struct ProfileCounts {
 
   uint64_t cycles() const;
   uint64_t lost() const;
+  /// Of these, for memory of whatever level or a place in the store buffer.
+  uint64_t memoryWaits() const;
   ProfileCounts &operator+=(const ProfileCounts &Other);
   bool operator==(const ProfileCounts &) const = default;
-};
-
-/// Accesses that one level of memory served, and the cycles from their issues
-/// to their answers.
-struct ServedAccesses {
-  uint64_t Accesses = 0;
-  uint64_t Cycles = 0;
-
-  bool operator==(const ServedAccesses &) const = default;
-};
-
-/// What became of accesses to memory.
-struct MemoryBehaviour {
-  /// Those that went to global memory; of the others the local store had all.
-  uint64_t Global = 0;
-  /// By ServedBy. What was under way when the run ended is not there.
-  std::array<ServedAccesses, NumServedBy> Served{};
-
-  MemoryBehaviour &operator+=(const MemoryBehaviour &Other);
-  bool operator==(const MemoryBehaviour &) const = default;
 };
 
 /// A file of the program's source.
@@ -84,7 +64,6 @@ struct ProfileFrame {
 /// One instruction of the text with the counts of all threads.
 struct ProfileInstruction {
   uint32_t Pc = 0;
-  Opcode Op = IllegalOpcode;
   /// As a disassembler shows it.
   std::string Text;
   uint32_t Frame = 0;
@@ -139,6 +118,11 @@ struct ProfileRun {
 
 /// Everything of one run.
 struct Profile {
+  /// The counts of all instructions.
+  ProfileCounts total() const;
+  /// A frame and those around it, from the inside out.
+  std::vector<uint32_t> framesFrom(uint32_t Innermost) const;
+
   ProfileRun Run;
   std::vector<ProfileFile> Files;
   std::vector<ProfileFunction> Functions;
@@ -146,9 +130,12 @@ struct Profile {
   /// Those with a count, in the order of addresses.
   std::vector<ProfileInstruction> Instructions;
   std::vector<CallNode> Calls;
+  /// There were so many chains of calls that in the longest ones functions
+  /// count for their callers.
+  bool IsCallTreeCut = false;
   Utilisation Tms;
-  /// The attribute `ray_profile` of the statistics, as text; empty if the
-  /// program reports no rays.
+  /// `{"ray_profile": ...}` as in the statistics; empty if the program reports
+  /// no rays.
   std::string RayProfile;
 };
 

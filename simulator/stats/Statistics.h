@@ -8,6 +8,7 @@
 #define TP_SIMULATOR_STATS_STATISTICS_H
 
 #include "simulator/isa/Instructions.h"
+#include "simulator/memory/MemoryRequest.h"
 #include "simulator/memory/MemoryStatistics.h"
 
 #include <array>
@@ -74,6 +75,33 @@ struct PcStatistics {
   /// this instruction, to all others while it was the next to issue. A halted
   /// thread is nowhere: Loss::Finished is 0.
   LossCounts Lost{};
+};
+
+/// Accesses that one level of memory served, and the cycles from their issues
+/// to their answers.
+struct ServedAccesses {
+  uint64_t Accesses = 0;
+  uint64_t Cycles = 0;
+
+  bool operator==(const ServedAccesses &) const = default;
+};
+
+/// What became of an instruction's accesses to memory.
+struct MemoryBehaviour {
+  /// Those that went to global memory; of the others the local store had all.
+  uint64_t Global = 0;
+  /// By ServedBy. What was under way when the run ended is not there.
+  std::array<ServedAccesses, NumServedBy> Served{};
+
+  MemoryBehaviour &operator+=(const MemoryBehaviour &Other) {
+    Global += Other.Global;
+    for (unsigned I = 0; I != NumServedBy; ++I) {
+      Served[I].Accesses += Other.Served[I].Accesses;
+      Served[I].Cycles += Other.Served[I].Cycles;
+    }
+    return *this;
+  }
+  bool operator==(const MemoryBehaviour &) const = default;
 };
 
 /// Of the instruction caches of all TMs, if they can miss: lookups, lines that
