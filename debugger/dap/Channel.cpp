@@ -48,9 +48,9 @@ void Channel::succeed(const Request &To, json::Value Body) {
                     {"body", std::move(Body)}});
 }
 
-void Channel::fail(const Request &To, StringRef Short, StringRef Text) {
+void Channel::fail(const Request &To, StringRef Short, const Twine &Text) {
   json::Object Problem{
-      {"id", 1}, {"format", json::fixUTF8(Text)}, {"showUser", true}};
+      {"id", 1}, {"format", json::fixUTF8(Text.str())}, {"showUser", true}};
   send(json::Object{{"type", "response"},
                     {"request_seq", To.Number},
                     {"success", false},

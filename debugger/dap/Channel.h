@@ -38,7 +38,7 @@ public:
   void succeed(const Request &To, llvm::json::Value Body);
   /// \p Short is one of the protocol's words ("cancelled", "notStopped") or
   /// the text itself.
-  void fail(const Request &To, llvm::StringRef Short, llvm::StringRef Text);
+  void fail(const Request &To, llvm::StringRef Short, const llvm::Twine &Text);
   void fail(const Request &To, llvm::Error Problem);
 
   /// An output event. \p Category: "console", "stdout", "stderr", "important".
