@@ -10,17 +10,20 @@
 #include "simulator/core/ContextFloats.h"
 #include "simulator/core/HostServices.h"
 #include "simulator/core/SpecialRegisters.h"
+#include "simulator/functional/Checks.h"
 #include "simulator/functional/FunctionalThread.h"
 #include "simulator/isa/Bodies.h"
 
 #include <cstring>
+#include <type_traits>
 
 namespace tp {
 
 /// The context of one instruction in the functional mode (see Bodies.h):
-/// everything takes effect at once.
-template <Subnormals Mode>
-class FunctionalContext : public ContextFloats<FunctionalContext<Mode>, Mode> {
+/// everything takes effect at once. It tells \p Checks what is done.
+template <Subnormals Mode, class Checks = NoChecks>
+class FunctionalContext
+    : public ContextFloats<FunctionalContext<Mode, Checks>, Mode> {
 public:
   /// What becomes of the thread after the instruction.
   enum class Outcome : uint8_t {
@@ -67,17 +70,20 @@ public:
     if (At % sizeof(V) != 0) [[unlikely]]
       return trap(TrapKind::MisalignedAccess, At), V();
     if (Shared.Space.isLocal(At))
-      return hostLoad<V>(localPointer(At));
+      return checkedLoad<V>(At, localPointer(At), /*IsLocal=*/true);
     if (!Shared.Space.isGlobal(At)) [[unlikely]]
       return trap(AddressSpace::badAddress(At), At), V();
-    return hostLoad<V>(Shared.Space.Global + At);
+    return checkedLoad<V>(At, Shared.Space.Global + At, /*IsLocal=*/false);
   }
 
   template <class V> [[gnu::always_inline]] void store(uint32_t At, V Value) {
     if (At % sizeof(V) != 0) [[unlikely]]
       return trap(TrapKind::MisalignedAccess, At);
-    if (uint8_t *Target = writable(At))
-      std::memcpy(Target, &Value, sizeof(Value));
+    uint8_t *Target = writable(At);
+    if (!Target)
+      return;
+    checks().store(Step, accessTo(At, sizeof(V), Target));
+    std::memcpy(Target, &Value, sizeof(Value));
   }
 
   template <class Function>
@@ -88,6 +94,7 @@ public:
     uint8_t *Target = writable(At);
     if (!Target)
       return 0;
+    checks().atomic(Step, accessTo(At, sizeof(uint32_t), Target));
     uint32_t Old = hostLoad<uint32_t>(Target);
     uint32_t New = Update(Old, Operand, Expected);
     std::memcpy(Target, &New, sizeof(New));
@@ -103,7 +110,13 @@ public:
     if (!Shared.Space.isWritable(Descriptor))
       return trap(Shared.Space.badStore(Descriptor), Descriptor), 0;
     SharedStreamMemory Memory(Shared.Space, Descriptor);
-    uint32_t Result = Operation(Memory, Descriptor, Value);
+    uint32_t Result;
+    if constexpr (std::is_same_v<Checks, NoChecks>) {
+      Result = Operation(Memory, Descriptor, Value);
+    } else {
+      CheckedStreamMemory Checked(*this, Memory);
+      Result = Operation(Checked, Descriptor, Value);
+    }
     if (Memory.failed())
       trap(Memory.kind(), Memory.address());
     return Result;
@@ -116,18 +129,23 @@ public:
         serveHostCall({Service, First, Second, Third}, Shared.Space,
                       T.LocalStoreBias, Shared.Output, Bad);
     if (!Answer)
-      trap(Bad.Kind, Bad.Address);
-    return Answer.value_or(0);
+      return trap(Bad.Kind, Bad.Address), 0;
+    checks().output(T, Pc, Second, *Answer);
+    return *Answer;
   }
 
   /// Who waits for others lets them have their turns.
-  void sync() { Kind = Outcome::Yield; }
+  void sync() {
+    checks().sync(T, Pc);
+    Kind = Outcome::Yield;
+  }
   void sleep(uint32_t Cycles) {
     T.Slept += Cycles;
     Kind = Outcome::Yield;
   }
 
   void barrier() {
+    checks().barrier(T, Pc);
     T.State = ThreadState::AtBarrier;
     ++Shared.Arrived;
     Kind = Outcome::Yield;
@@ -151,6 +169,7 @@ public:
   }
 
   void profileValue(uint32_t Marker, uint32_t Value) {
+    checks().message(T, Pc, Marker, Value);
     if (Shared.Observer)
       Shared.Observer->profileValue(T.Number, Marker, Value);
   }
@@ -162,7 +181,43 @@ public:
         [&] { return Issued; });
   }
 
+  /// Of the instruction.
+  typename Checks::Step Step;
+
 private:
+  /// The words of a stream operation, each told to the checks.
+  class CheckedStreamMemory final : public StreamMemory {
+  public:
+    CheckedStreamMemory(FunctionalContext &Context, SharedStreamMemory &Memory)
+        : Context(Context), Memory(Memory) {}
+
+    uint32_t load(uint32_t Address) override {
+      uint32_t Value = Memory.load(Address);
+      if (!Memory.failed())
+        Context.checks().streamLoad(Context.Step, access(Address));
+      return Value;
+    }
+    void store(uint32_t Address, uint32_t Value) override {
+      Memory.store(Address, Value);
+      if (!Memory.failed())
+        Context.checks().streamStore(Context.Step, access(Address));
+    }
+    void reject() override { Memory.reject(); }
+
+  private:
+    CheckedAccess access(uint32_t Address) const {
+      return Context.accessTo(Address, sizeof(uint32_t),
+                              Context.Shared.Space.Global + Address);
+    }
+
+    FunctionalContext &Context;
+    SharedStreamMemory &Memory;
+  };
+
+  decltype(auto) checks() { return Checks::of(Shared); }
+  CheckedAccess accessTo(uint32_t At, uint32_t Bytes, const uint8_t *Host) {
+    return {T, Pc, At, Bytes, Host, Shared.Space.isLocal(At)};
+  }
   uint8_t *localPointer(uint32_t At) const {
     return reinterpret_cast<uint8_t *>(T.LocalStoreBias + At);
   }
@@ -175,6 +230,13 @@ private:
       return nullptr;
     }
     return Shared.Space.Global + At;
+  }
+
+  template <class V>
+  [[gnu::always_inline]] V checkedLoad(uint32_t At, const uint8_t *Source,
+                                       bool IsLocal) {
+    checks().load(Step, {T, Pc, At, sizeof(V), Source, IsLocal});
+    return hostLoad<V>(Source);
   }
 
   template <class V> static V hostLoad(const uint8_t *Source) {

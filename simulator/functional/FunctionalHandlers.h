@@ -51,7 +51,7 @@ struct FunctionalRunner : FunctionalContextState {
   std::vector<FunctionalHandler> Observed;
 };
 
-template <Subnormals Mode> struct FunctionalHandlers {
+template <Subnormals Mode, class Checks = NoChecks> struct FunctionalHandlers {
   /// The handler of an opcode; of IllegalOpcode one that traps.
   static FunctionalHandler of(Opcode Op) {
     static constexpr FunctionalHandler Table[] = {
@@ -86,7 +86,7 @@ template <Subnormals Mode> struct FunctionalHandlers {
   }
 
 private:
-  using Context = FunctionalContext<Mode>;
+  using Context = FunctionalContext<Mode, Checks>;
   using Outcome = typename Context::Outcome;
 
   static uint32_t pcOf(const FunctionalSlot *S, const FunctionalRunner *R) {
@@ -104,10 +104,14 @@ private:
     uint8_t Destination = S->Instruction.Destination;
     Instruction Run(S->Instruction, T->Registers.data());
     Context C(*T, *R, pcOf(S, R), issued(T, S, Block, Quantum));
+    Checks::of(*R).template before<Op>(C.Step, *T, pcOf(S, R), S->Instruction,
+                                       Run);
     Run.run(C);
     if (C.outcome() == Outcome::Trap) [[unlikely]]
       return stopAtTrap(T, S, Block, Quantum, R, C.trapReason(),
                         C.trapAddress());
+    Checks::of(*R).template after<Op>(C.Step, *T, pcOf(S, R), S->Instruction,
+                                      Run, C.keepsDestination());
     if constexpr (Instruction::HasDestination)
       if (!C.keepsDestination())
         T->Registers[Destination] = Run.result();
@@ -118,6 +122,9 @@ private:
     if (C.outcome() == Outcome::Yield)
       return leave(T, S, Block, Quantum, R);
     if (C.outcome() == Outcome::Branch) {
+      Checks::of(*R).template branched<Op>(
+          *T, pcOf(S - 1, R), S[-1].Instruction,
+          R->Space.TextBegin + C.targetWord() * 4);
       ++S->Ended;
       Quantum -= S - Block;
       Block = S = R->Slots + C.targetWord();
@@ -131,6 +138,7 @@ private:
   __attribute__((preserve_none)) static void
   checkStack(TP_FUNCTIONAL_PARAMETERS) {
     const uint32_t StackPointer = T->Registers[StackPointerRegister];
+    Checks::of(*R).stackMoved(*T, pcOf(S, R));
     if (StackPointer >= R->StackLimit) [[likely]]
       TP_FUNCTIONAL_TAIL_CALL of(S->Instruction.Op)(TP_FUNCTIONAL_ARGUMENTS);
     stopAtTrap(T, S, Block, Quantum, R, TrapKind::StackOverflow, StackPointer,

@@ -31,6 +31,7 @@ public:
   std::vector<ArchitecturalState> threads() const;
   void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
   void setStepObserver(uint32_t Thread, StepObserver Function);
+  void setChecks(ExecutionChecks &Checks);
 
   FunctionalRunner Runner;
   std::vector<FunctionalThread> Threads;
@@ -96,6 +97,13 @@ void FunctionalMachine::Implementation::setStepObserver(uint32_t Thread,
         S.Execute, FunctionalHandlers<Subnormals::Keep>::observeStep));
 }
 
+void FunctionalMachine::Implementation::setChecks(ExecutionChecks &Checks) {
+  Runner.Checks = &Checks;
+  Slots = Checks.decode(Text, Chip.FlushToZero);
+  Runner.Slots = Slots.data();
+  Checks.start(Runner.Space, Chip, Threads);
+}
+
 void FunctionalMachine::Implementation::runTurn(FunctionalThread &T) {
   FunctionalSlot *S = &Slots[T.NextWord];
   ++S->Begun;
@@ -108,6 +116,8 @@ void FunctionalMachine::Implementation::releaseBarrier() {
     if (T.State == ThreadState::AtBarrier)
       T.State = ThreadState::Running;
   Runner.Arrived = 0;
+  if (Runner.Checks)
+    Runner.Checks->barrierOpened();
 }
 
 std::optional<RunResult> FunctionalMachine::Implementation::ending() const {
@@ -228,6 +238,10 @@ void FunctionalMachine::setCodeGenerator(
 void FunctionalMachine::setStepObserver(uint32_t Thread,
                                         StepObserver Function) {
   Machine->setStepObserver(Thread, std::move(Function));
+}
+
+void FunctionalMachine::setChecks(ExecutionChecks &Checks) {
+  Machine->setChecks(Checks);
 }
 
 RunResult FunctionalMachine::run(const FunctionalLimits &Limits) {

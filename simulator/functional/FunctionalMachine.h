@@ -23,6 +23,7 @@
 
 namespace tp {
 
+class ExecutionChecks;
 class FunctionalCodeGenerator;
 
 /// How long to run. What is not set limits nothing.
@@ -55,6 +56,11 @@ public:
   /// Generates code for what is hot, which changes no result: without one all
   /// is interpreted. Before the first run().
   void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
+
+  /// Makes \p Checks, which must outlive the machine, at each instruction.
+  /// Before the first run(), and instead of a code generator or an observer of
+  /// steps.
+  void setChecks(ExecutionChecks &Checks);
 
   /// \p Function sees each instruction of a thread. Before the first run(), and
   /// instead of a code generator.

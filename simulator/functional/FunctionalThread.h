@@ -42,11 +42,15 @@ struct FunctionalThread {
   bool AtMarker = false;
 };
 
+class ExecutionChecks;
+
 /// What all threads of the functional mode share.
 struct FunctionalContextState {
   AddressSpace Space;
   const ChipConfig *Chip = nullptr;
   ProfileObserver *Observer = nullptr;
+  /// Null: none are made.
+  ExecutionChecks *Checks = nullptr;
   OutputFunction Output;
   uint32_t StackLimit = 0;
   /// Threads stop behind this marker.
