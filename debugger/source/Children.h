@@ -9,16 +9,33 @@
 
 #include "debugger/source/Value.h"
 
+#include "llvm/ADT/StringRef.h"
+
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tp {
 
-class TypeTable;
+/// Elements that follow each other in memory.
+struct Sequence {
+  const Type *Element = nullptr;
+  uint32_t Count = 0;
+  /// The first one; invalid if Count is 0.
+  Value First;
+
+  Value at(uint32_t Index) const;
+};
+
+/// The elements of an array, a vector of the compiler or one of the library's
+/// containers that keep theirs so (std::array, span, vector, string_view,
+/// string, initializer_list); nothing for other types.
+llvm::Expected<std::optional<Sequence>> elementsOf(const Value &Of,
+                                                   const FrameContext &Frame);
 
 /// How many parts children() has in all: members and bases of a structure,
 /// elements of an array, what a pointer or reference points to.
-uint32_t childCount(const Value &Of);
+uint32_t childCount(const Value &Of, const FrameContext &Frame);
 
 /// Parts \p First to \p First + \p Count of a value: a structure's bases, then
 /// members; an array's elements; one for a pointer or reference to something

@@ -47,9 +47,13 @@ private:
   /// Calls by the address behind them, of the functions asked for.
   mutable llvm::DenseMap<uint32_t, llvm::DWARFDie> CallSites;
   mutable llvm::DenseMap<uint64_t, bool> FunctionsRead;
+  /// Locations of variables by the offset of their entry.
+  mutable llvm::DenseMap<uint64_t, llvm::DWARFLocationExpressionsVector>
+      Locations;
 
   llvm::Expected<uint32_t> frameBase(const FrameContext &Frame) const;
   llvm::DWARFDie callSite(uint32_t ReturnPc) const;
+  /// What the location's expression names had when the function was called.
   llvm::Expected<std::optional<uint64_t>>
   entryValue(llvm::ArrayRef<uint8_t> Expression,
              const FrameContext &Frame) const;

@@ -7,6 +7,7 @@
 #include "debugger/source/NameIndex.h"
 
 #include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/DebugInfo/DWARF/DWARFContext.h"
 
 using namespace llvm;
@@ -106,8 +107,26 @@ static StringRef dropLastComponent(StringRef Qualified) {
   return At == StringRef::npos ? StringRef() : Qualified.take_front(At);
 }
 
+/// `array<int, 4U>` and `array<int,4>` are the same.
+static std::string normalized(StringRef Name) {
+  std::string Result;
+  bool InNumber = false;
+  for (char C : Name) {
+    bool IsWord = isAlnum(C) || C == '_';
+    InNumber =
+        IsWord && (InNumber ||
+                   (isDigit(C) && (Result.empty() || (!isAlnum(Result.back()) &&
+                                                      Result.back() != '_'))));
+    bool IsSuffix = InNumber && (C == 'U' || C == 'L' || C == 'u' || C == 'l');
+    if (C != ' ' && !IsSuffix)
+      Result += C;
+  }
+  return Result;
+}
+
 static bool sameComponent(StringRef Have, StringRef Wanted) {
-  return Have == Wanted || withoutTemplateArguments(Have) == Wanted;
+  return Have == Wanted || withoutTemplateArguments(Have) == Wanted ||
+         (Wanted.contains('<') && normalized(Have) == normalized(Wanted));
 }
 
 bool matchesName(StringRef Qualified, StringRef Wanted) {

@@ -91,7 +91,10 @@ public:
   std::vector<Member> Members;
   std::vector<StaticMember> StaticMembers;
   std::vector<Enumerator> Enumerators;
+  /// `enum class`.
   bool IsScoped = false;
+  /// A character type is signed.
+  bool IsSignedCharacter = false;
   llvm::DWARFDie Die;
 
   /// Without typedefs and qualifiers.

@@ -35,6 +35,7 @@ public:
   /// Types that every program has, by their name in C++: `unsigned int`.
   const Type &basic(llvm::StringRef Name);
   const Type &pointerTo(const Type &Target);
+  const Type &referenceTo(const Type &Target);
   const Type &arrayOf(const Type &Element, uint32_t Count);
   const Type &qualified(TypeKind Qualifier, const Type &Target);
   /// `int`, `unsigned int`, `long long` and so on of a number of bytes.
@@ -54,7 +55,7 @@ private:
   void read(Type &Result, llvm::DWARFDie Die);
   void readMembers(Type &Result, llvm::DWARFDie Die);
   void readEnumerators(Type &Result, llvm::DWARFDie Die);
-  const Type &readArray(Type &Result, llvm::DWARFDie Die);
+  void readArray(Type &Result, llvm::DWARFDie Die);
   Type &derived(const Type &Base, uint64_t Key, bool &IsNew);
 };
 

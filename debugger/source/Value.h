@@ -28,8 +28,9 @@ struct ValuePiece {
   uint32_t Bytes = 0;
   /// InMemory.
   uint32_t Address = 0;
-  /// InRegister: DWARF's number.
+  /// InRegister: DWARF's number, and the part's first byte in the register.
   unsigned Register = 0;
+  uint32_t ByteInRegister = 0;
   /// Computed: the bytes; InRegister: what the register holds.
   llvm::SmallVector<uint8_t, 8> Contents;
 };
@@ -76,12 +77,12 @@ public:
   llvm::Expected<double> asReal(const FrameContext &Frame) const;
 
   /// The same place as another type.
-  Value as(const Type &Of) const;
+  Value as(const Type &Other) const;
   /// A part of it, from byte \p Offset on.
-  Value part(const Type &Of, uint32_t Offset) const;
+  Value part(const Type &Part, uint32_t Offset) const;
   /// A bit-field in it.
-  Value bits(const Type &Of, uint32_t Offset, uint32_t BitOffset,
-             uint32_t BitSize) const;
+  Value bits(const Type &Part, uint32_t Offset, uint32_t FirstBit,
+             uint32_t Bits) const;
   /// With its bytes read, so that it stays as it is.
   llvm::Expected<Value> snapshot(const FrameContext &Frame) const;
 
@@ -97,6 +98,9 @@ private:
   uint32_t BitOffset = 0;
   uint32_t BitSize = 0;
 
+  llvm::Expected<llvm::SmallVector<uint8_t, 16>>
+  gather(const FrameContext &Frame, uint32_t Offset, uint32_t Size) const;
+  Value slice(const Type &Part, uint32_t Offset, uint32_t Size) const;
   llvm::Error store(const FrameContext &Frame, uint32_t Offset,
                     llvm::ArrayRef<uint8_t> Bytes) const;
 };

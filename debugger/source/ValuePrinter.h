@@ -49,7 +49,16 @@ public:
 
 private:
   const SourceMap &Map;
+
+  class Writer;
 };
+
+/// A floating-point number with as many digits as tell it from its neighbours:
+/// of type float for 4 \p Bytes, else double.
+std::string formatReal(double Number, unsigned Bytes);
+
+/// A character as `97 'a'` prints it, with the quotes.
+std::string quotedCharacter(uint32_t Character);
 
 /// One number of 1, 2, 4 or 8 bytes by one of gdb's letters (x d u o t a c f
 /// z), as the commands x and `info registers` print it.
