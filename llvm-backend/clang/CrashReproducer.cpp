@@ -171,7 +171,7 @@ void Reproducer::preprocess(const Command &Job) {
   const std::optional<StringRef> Redirections[] = {"", "", ""};
   if (sys::ExecuteAndWait(ToolPath, Words, /*Env=*/std::nullopt,
                           Redirections) != 0) {
-    (void)sys::fs::remove(Output);
+    [[maybe_unused]] std::error_code Ignored = sys::fs::remove(Output);
     return;
   }
   Sources[Source] = Output;

@@ -46,7 +46,7 @@ static constexpr const char *Defaults[] = {
     "-fsanitize-trap=all",
     // A trap of its own for each check can name it.
     "-fno-sanitize-merge",
-    "-Wframe-larger-than=" TP_DEFAULT_LOCAL_STORE_BYTES,
+    ("-Wframe-larger-than=" TP_DEFAULT_LOCAL_STORE_BYTES),
 };
 
 ArrayRef<const char *> defaultDriverArguments() { return Defaults; }
