@@ -66,6 +66,12 @@ public:
     Result.PrintChipSchema = Arguments.hasArg(OPT_print_chip_schema);
     if (Result.Help || Result.Version || Result.PrintChipSchema)
       return Result;
+    if (Arguments.hasArg(OPT_compare)) {
+      readComparison(Result);
+      if (!Message.empty())
+        return createStringError(Message);
+      return Result;
+    }
     Result.Quiet = Arguments.hasArg(OPT_quiet);
     Result.PrintChip = Arguments.hasArg(OPT_print_chip);
     Result.Chip = Arguments.getLastArgValue(OPT_chip, "report-512x8").str();
@@ -75,6 +81,7 @@ public:
     Result.GenerateCode = readEngine();
     Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
     Result.ChipSettings = Arguments.getAllArgValues(OPT_set);
+    excludeComparison();
     readStatistics(Result);
     readLongRun(Result);
     readCacheTrace(Result);
@@ -108,6 +115,38 @@ private:
           "': expected a whole number from " + Twine(Min) + " to " +
           Twine(Max));
     return Default;
+  }
+
+  void readComparison(Options &Result) {
+    for (const Arg *Argument : Arguments)
+      if (!Argument->getOption().matches(OPT_compare) &&
+          !Argument->getOption().matches(OPT_compare_output) &&
+          !Argument->getOption().matches(OPT_compare_rows) &&
+          !Argument->getOption().matches(OPT_INPUT))
+        error(Argument->getSpelling().rtrim('=') +
+              " has no meaning with --compare, which runs nothing");
+    std::vector<std::string> Inputs = Arguments.getAllArgValues(OPT_INPUT);
+    if (Inputs.size() != 2) {
+      error("--compare needs two files that --stats or --profile has written: "
+            "tpsim --compare before.json after.json");
+      return;
+    }
+    ComparisonRequest &Request = Result.Comparison.emplace();
+    Request.Before = Inputs[0];
+    Request.After = Inputs[1];
+    Request.Output = Arguments.getLastArgValue(OPT_compare_output).str();
+    if (Arguments.hasArg(OPT_compare_output) && Request.Output.empty())
+      error("--compare-output is empty; give it the path of the file to write");
+    Request.Rows =
+        unsigned(number(OPT_compare_rows, 1, UINT32_MAX, Request.Rows));
+  }
+
+  /// Options that need --compare.
+  void excludeComparison() {
+    for (OptionId Id : {OPT_compare_output, OPT_compare_rows})
+      if (const Arg *Argument = Arguments.getLastArg(Id))
+        error(Argument->getSpelling().rtrim('=') +
+              " has no meaning without --compare");
   }
 
   void readStatistics(Options &Result) {

@@ -31,6 +31,17 @@ struct MarkerRegion {
   uint32_t End = 0;
 };
 
+/// Two runs to compare.
+struct ComparisonRequest {
+  /// JSON files.
+  std::string Before;
+  std::string After;
+  /// JSON file, `-` for standard output; empty: none.
+  std::string Output;
+  /// Of each part of the table.
+  unsigned Rows = 10;
+};
+
 /// What the user asked for.
 struct Options {
   bool Help = false;
@@ -38,6 +49,8 @@ struct Options {
   bool Quiet = false;
   bool PrintChip = false;
   bool PrintChipSchema = false;
+  /// Then there is no run.
+  std::optional<ComparisonRequest> Comparison;
   std::string Program;
   std::vector<std::string> ProgramArguments;
   std::string Chip;

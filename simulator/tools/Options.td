@@ -48,6 +48,13 @@ defm interval : LongValue<"interval", "<n>",
                       "Length of an interval of the series in cycles">;
 defm interval_output : LongValue<"interval-output", "<file.csv|file.json>",
                              "Write a series of intervals; JSON is a trace for Perfetto">;
+def compare : LongFlag<"compare",
+                       "Compare two runs: tpsim --compare before.json after.json,"
+                       " which --stats or --profile has written">;
+defm compare_output : LongValue<"compare-output", "<file>",
+                            "Write the comparison as JSON; - is standard output">;
+defm compare_rows : LongValue<"compare-rows", "<n>",
+                          "Most lines of each table (default: 10)">;
 defm dump_memory : LongValue<"dump-memory", "<variable>=<file>",
                          "Write a variable's bytes after the run">;
 defm trace_cache : LongValue<"trace-cache", "<file>",

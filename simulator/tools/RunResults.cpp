@@ -9,6 +9,7 @@
 #include "kernels/common/BuiltBvh.h"
 #include "scenes/image/PngWriter.h"
 #include "simulator/tools/CacheTrace.h"
+#include "simulator/tools/OutputFile.h"
 #include "simulator/tools/Simulation.h"
 
 #include "llvm/Support/WithColor.h"
@@ -67,27 +68,6 @@ RunSummary summaryOf(const RunResult &Result, const Options &Request,
   return Run;
 }
 
-/// Writes what \p Write writes to the file at \p Path, or to standard output if
-/// that is `-`.
-static llvm::Error writeTo(const std::string &Path,
-                           function_ref<void(raw_ostream &)> Write) {
-  if (Path == "-") {
-    Write(outs());
-    return llvm::Error::success();
-  }
-  std::error_code EC;
-  raw_fd_ostream File(Path, EC);
-  if (!EC) {
-    Write(File);
-    File.close();
-    EC = File.error();
-    File.clear_error();
-  }
-  if (EC)
-    return createStringError("cannot write " + Path + ": " + EC.message());
-  return llvm::Error::success();
-}
-
 /// Checks the run's ray events and adds them to \p Run.
 static llvm::Error addRayProfiles(const RayProfiler &Rays, RunSummary &Run) {
   if (Status S = Rays.check(); !S)
@@ -142,16 +122,6 @@ static llvm::Error writeOutputs(const RunSummary &Run, const Options &Request,
     Note(writeTo(Request.StatisticsOutput,
                  [&](raw_ostream &OS) { WriteJson(Run, OS); }));
   return Failures;
-}
-
-/// Whether all that went to standard output arrived there.
-static llvm::Error flushOutput() {
-  outs().flush();
-  if (!outs().has_error())
-    return llvm::Error::success();
-  std::error_code EC = outs().error();
-  outs().clear_error();
-  return createStringError("cannot write standard output: " + EC.message());
 }
 
 llvm::Error writeResults(RunSummary &Run, const Options &Request,

@@ -7,6 +7,7 @@
 #include "simulator/chip/ChipFile.h"
 #include "simulator/chip/ChipSettings.h"
 #include "simulator/chip/SchemaTable.h"
+#include "simulator/tools/CompareRuns.h"
 #include "simulator/tools/Options.h"
 #include "simulator/tools/Simulation.h"
 
@@ -40,6 +41,11 @@ static Expected<int> run(int Argc, char **Argv) {
   }
   if (Request->PrintChipSchema) {
     tp::writeSchemaTable(outs());
+    return 0;
+  }
+  if (Request->Comparison) {
+    if (Error E = tp::compareRuns(*Request->Comparison))
+      return std::move(E);
     return 0;
   }
   std::string ChipFolder = chipFolder(Argv[0]);
