@@ -39,6 +39,7 @@ public:
   TypeTable &types() { return *Types; }
   const Unwinder &unwinder() const { return *Frames; }
   const Variables &variables() const { return *Names; }
+  const NameIndex &names() const { return *Index; }
   /// What is wrong with the debug information, one line each.
   llvm::ArrayRef<std::string> warnings() const { return Warnings; }
 

@@ -20,6 +20,7 @@
 namespace tp {
 
 class DebugInformation;
+class ExpressionEvaluator;
 struct ExpressionNode;
 
 /// `$1`, `$$`, `$name`: what earlier expressions gave.
@@ -28,6 +29,7 @@ public:
   /// Keeps a value; its number, from 1 on.
   unsigned add(Value Kept);
   /// Number \p Number; 0 and below count back from the last (`$$2` is -2).
+  /// nullptr if there is none.
   const Value *get(int Number) const;
   unsigned size() const { return unsigned(Values.size()); }
 
@@ -72,7 +74,7 @@ private:
   Expression();
 
   std::string Text;
-  DebugInformation *Information = nullptr;
+  std::unique_ptr<ExpressionEvaluator> Evaluator;
   std::unique_ptr<ExpressionNode> Root;
 };
 

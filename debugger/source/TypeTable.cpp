@@ -163,6 +163,19 @@ const Type &TypeTable::qualified(TypeKind Qualifier, const Type &Target) {
   return Result;
 }
 
+const Type &TypeTable::function(DWARFDie Die, StringRef Parameters) {
+  const Type &Result = Die ? typeOf(Die) : basic("void");
+  std::string Name = Result.Name + " " + Parameters.str();
+  std::unique_ptr<Type> &Known = Basic[Name];
+  if (!Known) {
+    Known = std::make_unique<Type>();
+    Known->Kind = TypeKind::Function;
+    Known->Name = Name;
+    Known->Target = &Result;
+  }
+  return *Known;
+}
+
 const Type &TypeTable::typeOf(DWARFDie Die) {
   if (std::optional<DWARFFormValue> Form = Die.findRecursively(DW_AT_type))
     return fromDie(Die.getAttributeValueAsReferencedDie(*Form));

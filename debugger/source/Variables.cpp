@@ -133,35 +133,46 @@ std::vector<VariableInfo> Variables::globals() const {
 
 std::optional<VariableInfo> Variables::find(const FrameContext &Frame,
                                             StringRef Name) const {
-  std::string Place;
-  std::vector<DWARFDie> Blocks = blocksOf(Map, Frame);
-  if (!Name.contains("::")) {
-    unsigned Depth = 0;
-    for (DWARFDie Block : Blocks) {
-      for (DWARFDie Die : variablesOf(Block))
-        if (baseName(Die) == Name) {
-          VariableInfo Info = describe(Die);
-          Info.BlockDepth = Depth;
-          return Info;
-        }
-      ++Depth;
-    }
+  if (std::optional<VariableInfo> Local = findLocal(Frame, Name))
+    return Local;
+  return findGlobal(Frame, Name);
+}
+
+std::optional<VariableInfo> Variables::findLocal(const FrameContext &Frame,
+                                                 StringRef Name) const {
+  if (Name.contains("::"))
+    return std::nullopt;
+  unsigned Depth = 0;
+  for (DWARFDie Block : blocksOf(Map, Frame)) {
+    for (DWARFDie Die : variablesOf(Block))
+      if (baseName(Die) == Name) {
+        VariableInfo Info = describe(Die);
+        Info.BlockDepth = Depth;
+        return Info;
+      }
+    ++Depth;
   }
-  if (!Blocks.empty())
+  return std::nullopt;
+}
+
+std::optional<VariableInfo> Variables::findGlobal(const FrameContext &Frame,
+                                                  StringRef Name) const {
+  std::vector<DWARFDie> Blocks = blocksOf(Map, Frame);
+  std::string Place;
+  DWARFUnit *Unit = nullptr;
+  if (!Blocks.empty()) {
     Place = qualifiedName(Blocks.back()) + "::";
+    Unit = Blocks.back().getDwarfUnit();
+  }
   DWARFDie Best;
   size_t BestNearness = 0;
   for (DWARFDie Die : Names.variables(lastComponent(Name))) {
-    std::string Qualified = qualifiedName(Die);
-    if (!matchesName(Qualified, Name))
+    if (!matchesName(qualifiedName(Die), Name))
       continue;
     std::string Prefix = scopePrefix(Die);
-    size_t Nearness =
-        StringRef(Place).starts_with(Prefix) ? Prefix.size() + 1
-        : !Blocks.empty() && Blocks.back().getDwarfUnit() == Die.getDwarfUnit()
-            ? 1
-            : 0;
-    if (!Best || Nearness > BestNearness) {
+    size_t Nearness = StringRef(Place).starts_with(Prefix) ? Prefix.size() : 0;
+    Nearness = 2 * Nearness + (Unit == Die.getDwarfUnit() ? 2 : 1);
+    if (Nearness > BestNearness) {
       Best = Die;
       BestNearness = Nearness;
     }

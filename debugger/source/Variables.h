@@ -57,6 +57,12 @@ public:
   /// function, then of its namespaces and classes, then any global.
   std::optional<VariableInfo> find(const FrameContext &Frame,
                                    llvm::StringRef Name) const;
+  /// Only of the blocks and the function.
+  std::optional<VariableInfo> findLocal(const FrameContext &Frame,
+                                        llvm::StringRef Name) const;
+  /// Only of those that live as long as the program, the nearest one.
+  std::optional<VariableInfo> findGlobal(const FrameContext &Frame,
+                                         llvm::StringRef Name) const;
 
   /// Its value in this frame, perhaps optimized out. The error says what the
   /// debug information has that cannot be read.
