@@ -76,12 +76,13 @@ Statistics summarize(std::span<const Thread> Threads,
   for (const TmRunnerState *Counter : Counters) {
     for (size_t I = 0; I != Opcodes.size(); ++I) {
       Sum.Pcs[I].Executed += Counter->ExecutedAt[I];
+      Sum.Pcs[I].Global += Counter->GlobalAt[I];
+      Sum.GlobalAccesses += Counter->GlobalAt[I];
       for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
         Sum.Pcs[I].Lost[Reason] += Counter->LostAt[I][Reason];
     }
     for (unsigned I = 0; I != NumOpcodes; ++I)
       Sum.DataStall[I] += Counter->DataStall[I];
-    Sum.GlobalAccesses += Counter->GlobalAccesses;
     const std::vector<uint64_t> &Markers = Counter->Markers;
     Sum.Markers.resize(std::max(Sum.Markers.size(), Markers.size()));
     for (size_t I = 0; I != Markers.size(); ++I)

@@ -16,6 +16,28 @@
 
 namespace tp {
 
+/// The handler of the word \p Number of the text. One that is observed tells
+/// the recorder.
+template <class Word, bool FlushToZero>
+Handler<Word> handlerOf(const Program &Text, uint32_t Number,
+                        bool IsObserved = false) {
+  std::span<const Instruction> Words = Text.instructions();
+  bool StackHasMoved = Text.stackLimit() != 0 && Number != 0 &&
+                       movesStackPointer(Words[Number - 1]);
+  auto In = [&](auto Mode) {
+    using Of = Handlers<Word, Mode()>;
+    if (StackHasMoved)
+      return Of::afterStackMove(IsObserved);
+    Opcode Op = Words[Number].Op;
+    return IsObserved ? Of::observed(Op) : Of::of(Op);
+  };
+  if constexpr (!FlushToZero)
+    return In(std::integral_constant<Subnormals, Subnormals::Keep>());
+  if (Text.isFloatChecked(Text.textBegin() + Number * 4))
+    return In(std::integral_constant<Subnormals, Subnormals::Trap>());
+  return In(std::integral_constant<Subnormals, Subnormals::Flush>());
+}
+
 /// The text with the handler of each instruction, one slot per word and one
 /// behind it.
 template <class Word, bool FlushToZero>
@@ -24,19 +46,11 @@ std::vector<Slot<Word>> decodeText(const Program &Text, const ChipConfig &Chip,
   constexpr Subnormals Mode =
       FlushToZero ? Subnormals::Flush : Subnormals::Keep;
   std::vector<Slot<Word>> Slots;
-  uint32_t Address = Text.textBegin();
   // Decides on the bank. Messages are as if they were not in the text.
-  uint32_t Fetches = Address / 4;
-  bool StackHasMoved = false;
+  uint32_t Fetches = Text.textBegin() / 4;
   for (const Instruction &Decoded : Text.instructions()) {
-    Slot<Word> S{0, Handlers<Word, Mode>::of(Decoded.Op), Decoded, 0};
-    if (StackHasMoved)
-      S.Execute = Handlers<Word, Mode>::afterStackMove();
-    if constexpr (FlushToZero)
-      if (Text.isFloatChecked(Address))
-        S.Execute = StackHasMoved
-                        ? Handlers<Word, Subnormals::Trap>::afterStackMove()
-                        : Handlers<Word, Subnormals::Trap>::of(Decoded.Op);
+    auto Number = uint32_t(Slots.size());
+    Slot<Word> S{0, handlerOf<Word, FlushToZero>(Text, Number), Decoded, 0};
     bool IsMessage = Decoded.Op != IllegalOpcode && !takesTime(Decoded.Op);
     if (Decoded.Op != IllegalOpcode && !IsMessage) {
       uint32_t Bank = Fetches % Chip.IcacheBanks;
@@ -45,8 +59,6 @@ std::vector<Slot<Word>> decodeText(const Program &Text, const ChipConfig &Chip,
           Chip.Latency[unsigned(latencyClassOf(Decoded.Op))], Decoded.Op);
     }
     Slots.push_back(S);
-    StackHasMoved = Text.stackLimit() != 0 && movesStackPointer(Decoded);
-    Address += 4;
     if (!IsMessage)
       ++Fetches;
   }

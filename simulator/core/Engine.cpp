@@ -95,6 +95,10 @@ void Engine::setOutput(OutputFunction Function) {
   Implementation->setOutput(std::move(Function));
 }
 
+void Engine::setRecorder(ExecutionRecorder &Recorder) {
+  Implementation->setRecorder(&Recorder);
+}
+
 void Engine::setInitialState(std::span<const ArchitecturalState> States) {
   Implementation->setInitialState(States);
 }

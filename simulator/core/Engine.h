@@ -80,6 +80,7 @@ struct RunLimits {
 };
 
 class CodeGenerator;
+class ExecutionRecorder;
 class EngineImplementation;
 
 /// Simulates a program on a chip, cycle by cycle. Cycles, memory, output and
@@ -109,6 +110,10 @@ public:
   /// Who compiles hot code, before the first run(). Without one the reference
   /// engine does everything; it changes nothing but speed.
   void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator);
+
+  /// Who records what a profile needs, before a code generator is set and
+  /// before the first run(). It must outlive the runs.
+  void setRecorder(ExecutionRecorder &Recorder);
 
   /// Where the threads, by their number, begin; instead of at the program's
   /// entry with registers and local stores of zeros. Before the first run().

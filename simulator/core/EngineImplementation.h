@@ -28,6 +28,7 @@ public:
   virtual void setOutput(OutputFunction Function) = 0;
   virtual void setInitialState(std::span<const ArchitecturalState> States) = 0;
   virtual void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) = 0;
+  virtual void setRecorder(ExecutionRecorder *Recorder) = 0;
   virtual RunResult run(const RunLimits &Limits) = 0;
   virtual uint64_t cycles() const = 0;
   virtual Progress progress() const = 0;

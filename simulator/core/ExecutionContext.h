@@ -97,10 +97,11 @@ public:
       }
       std::memcpy(&Value, &Bits, sizeof(T));
     }
-    ++Runner.GlobalAccesses;
-    ResultReady = Runner.Memory ? Runner.requestLoad(this->T, Destination, Op,
-                                                     Cycle, At, sizeof(T))
-                                : readyAfter(Runner.Chip.MemoryLatency, true);
+    ++Runner.GlobalAt[word()];
+    ResultReady = Runner.Memory
+                      ? Runner.requestLoad(this->T, word(), Destination, Op,
+                                           Cycle, At, sizeof(T))
+                      : readyAfter(Runner.Chip.MemoryLatency, true);
     return Value;
   }
 
@@ -113,12 +114,12 @@ public:
     }
     if (!Runner.Chip.isWritable(At)) [[unlikely]]
       return trap(Runner.Chip.badStore(At), At);
-    if (Runner.Memory && !Runner.requestStore(this->T, Cycle, At, sizeof(T)))
-        [[unlikely]] {
+    if (Runner.Memory && !Runner.requestStore(this->T, word(), Cycle, At,
+                                              sizeof(T))) [[unlikely]] {
       Kind = Outcome::StoreBufferFull;
       return;
     }
-    ++Runner.GlobalAccesses;
+    ++Runner.GlobalAt[word()];
     GlobalAccess &Access = log(GlobalAccess::Store, At, Value);
     Access.Bytes = sizeof(T);
     Runner.OwnWords |= Runner.wordBit(At);
@@ -186,7 +187,7 @@ public:
   void barrier() {
     T.State = ThreadState::AtBarrier;
     T.EndCycle = now() + 1;
-    T.LastWord = (Pc - Runner.Chip.TextBegin) / 4;
+    T.LastWord = word();
     ++Runner.Arrived;
     leaveUntil(NeverCycle);
   }
@@ -214,6 +215,8 @@ public:
 
 private:
   uint64_t now() const { return Runner.Epoch + Cycle; }
+  /// The instruction's number in the text.
+  uint32_t word() const { return (Pc - Runner.Chip.TextBegin) / 4; }
 
   ReadyWord readyAfter(uint32_t Latency, bool FromGlobal) const {
     return ReadyWord(Cycle << ready::CycleShift) +
@@ -238,9 +241,10 @@ private:
   }
 
   void deferToMemory(uint32_t At) {
-    ++Runner.GlobalAccesses;
-    defer(Runner.Memory ? Runner.requestAtomic(T, Destination, Op, Cycle, At)
-                        : readyAfter(Runner.Chip.MemoryLatency, true));
+    ++Runner.GlobalAt[word()];
+    defer(Runner.Memory
+              ? Runner.requestAtomic(T, word(), Destination, Op, Cycle, At)
+              : readyAfter(Runner.Chip.MemoryLatency, true));
   }
 
   GlobalAccess &log(GlobalAccess::AccessKind AccessKind, uint32_t At,
@@ -258,7 +262,7 @@ private:
   }
 
   void charge(Loss Reason, uint64_t Cycles) {
-    Runner.charge(T, (Pc - Runner.Chip.TextBegin) / 4, Reason, Cycles);
+    Runner.charge(T, word(), Reason, Cycles);
   }
 
   void leaveUntil(uint64_t NextCycle) {

@@ -30,9 +30,23 @@ template <class Word, Subnormals Mode> struct Handlers {
     return Table[unsigned(Op)];
   }
 
+  /// Likewise, and tells the recorder of each issue. Instructions that take no
+  /// time are not issued.
+  static Handler<Word> observed(Opcode Op) {
+    static constexpr Handler<Word> Table[] = {
+#define TP_HANDLER_OF(NAME) handlerOf<Opcode::NAME, true>(),
+        TP_EACH_OPCODE(TP_HANDLER_OF)
+#undef TP_HANDLER_OF
+            trapAtFetch<TrapKind::IllegalInstruction>,
+    };
+    return Table[unsigned(Op)];
+  }
+
   /// The handler of an instruction behind one that moved the stack pointer:
   /// traps if that was too far.
-  static Handler<Word> afterStackMove() { return checkStack; }
+  static Handler<Word> afterStackMove(bool IsObserved = false) {
+    return IsObserved ? checkStack<true> : checkStack<false>;
+  }
 
   /// Charges a taken branch, which is the thread's LastWord.
   static Handler<Word> afterTakenBranch() { return waitForTarget; }
@@ -47,9 +61,10 @@ template <class Word, Subnormals Mode> struct Handlers {
   static Handler<Word> beforeFetch() { return checkLine; }
 
 private:
-  template <Opcode Op> static constexpr Handler<Word> handlerOf() {
+  template <Opcode Op, bool IsObserved = false>
+  static constexpr Handler<Word> handlerOf() {
     if constexpr (takesTime(Op))
-      return execute<Op>;
+      return execute<Op, IsObserved>;
     else
       return deliver<Op>;
   }
@@ -58,7 +73,7 @@ private:
     return R->Chip.TextBegin + wordOf(S, R) * 4;
   }
 
-  template <Opcode Op>
+  template <Opcode Op, bool IsObserved>
   __attribute__((preserve_none)) static void execute(TP_HANDLER_PARAMETERS) {
     using Instruction = Body<Op>;
     using Context = ExecutionContext<Op, Mode>;
@@ -93,6 +108,8 @@ private:
       }
     }
     ++Cycle;
+    if constexpr (IsObserved)
+      recordIssue(T, R, wordOf(S, R), Cycle, C);
     if (C.outcome() == Outcome::Leave) {
       T->Resume = S + 1;
       return;
@@ -108,6 +125,19 @@ private:
       ++S;
     }
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
+  }
+
+  template <class Context>
+  [[gnu::noinline]] static void recordIssue(const Thread *T, TmRunner<Word> *R,
+                                            uint32_t Number, uint64_t Cycle,
+                                            const Context &C) {
+    bool IsTaken = C.outcome() == Context::Outcome::Branch;
+    R->Record->issued(*T,
+                      {.Word = Number,
+                       .NextWord = IsTaken ? C.targetWord() : Number + 1,
+                       .IsTaken = IsTaken,
+                       .Cycle = R->Epoch + Cycle,
+                       .BranchLoss = IsTaken ? R->Chip.BranchLatency - 1 : 0});
   }
 
   /// An instruction that takes no time.
@@ -136,10 +166,14 @@ private:
            latencyClassOf(ready::producerOf(Ready)) == LatencyClass::Atomic;
   }
 
+  template <bool IsObserved>
   __attribute__((preserve_none)) static void checkStack(TP_HANDLER_PARAMETERS) {
     const uint32_t StackPointer = T->Registers[StackPointerRegister];
-    if (StackPointer >= R->Chip.StackLimit) [[likely]]
-      TP_TAIL_CALL of(S->Instruction.Op)(TP_HANDLER_ARGUMENTS);
+    if (StackPointer >= R->Chip.StackLimit) [[likely]] {
+      Handler<Word> Next =
+          IsObserved ? observed(S->Instruction.Op) : of(S->Instruction.Op);
+      TP_TAIL_CALL Next(TP_HANDLER_ARGUMENTS);
+    }
     if (Cycle >= R->Limit)
       return waiting::leave(T, S, Cycle, R);
     stopAtTrap(T, R, pcOf(S - 1, R), Cycle, TrapKind::StackOverflow,

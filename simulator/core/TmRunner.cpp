@@ -35,12 +35,12 @@ static void moveCounts(std::vector<Count> &From, std::vector<Count> &To) {
 
 void TmRunnerState::moveCountersTo(TmRunnerState &Other) {
   moveCounts(ExecutedAt, Other.ExecutedAt);
+  moveCounts(GlobalAt, Other.GlobalAt);
   for (size_t I = 0; I != LostAt.size(); ++I)
     for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
       Other.LostAt[I][Reason] += std::exchange(LostAt[I][Reason], 0);
   for (unsigned I = 0; I != NumOpcodes; ++I)
     Other.DataStall[I] += std::exchange(DataStall[I], 0);
-  Other.GlobalAccesses += std::exchange(GlobalAccesses, 0);
   moveCounts(Markers, Other.Markers);
 }
 
@@ -64,28 +64,30 @@ MemoryRequest TmRunnerState::request(const Thread &T, RequestKind Kind,
   return Result;
 }
 
-ReadyWord TmRunnerState::requestLoad(Thread &T, uint8_t Destination, Opcode Op,
+ReadyWord TmRunnerState::requestLoad(Thread &T, uint32_t Word,
+                                     uint8_t Destination, Opcode Op,
                                      uint64_t Cycle, uint32_t Address,
                                      unsigned Bytes) {
   uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, false);
-  ask(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket));
+  ask(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket), Word);
   return ready::pending(Op);
 }
 
-ReadyWord TmRunnerState::requestAtomic(Thread &T, uint8_t Destination,
-                                       Opcode Op, uint64_t Cycle,
-                                       uint32_t Address) {
+ReadyWord TmRunnerState::requestAtomic(Thread &T, uint32_t Word,
+                                       uint8_t Destination, Opcode Op,
+                                       uint64_t Cycle, uint32_t Address) {
   uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, true);
-  ask(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket));
+  ask(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket), Word);
   return ready::pending(Op);
 }
 
-bool TmRunnerState::requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
-                                 unsigned Bytes) {
+bool TmRunnerState::requestStore(Thread &T, uint32_t Word, uint64_t Cycle,
+                                 uint32_t Address, unsigned Bytes) {
   if (T.Requests->oldestStore().FreeFrom > Epoch + Cycle)
     return false;
   ask(request(T, RequestKind::Store, Cycle, Address, Bytes,
-              T.Requests->addStore()));
+              T.Requests->addStore()),
+      Word);
   return true;
 }
 

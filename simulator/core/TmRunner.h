@@ -9,6 +9,7 @@
 
 #include "runtime/include/tp/profile.h"
 #include "simulator/core/AddressSpace.h"
+#include "simulator/core/ExecutionRecorder.h"
 #include "simulator/core/InstructionCache.h"
 #include "simulator/core/WindowLog.h"
 #include "simulator/memory/MemorySystem.h"
@@ -75,19 +76,25 @@ struct TmRunnerState {
   const uint32_t *LineOf = nullptr;
   std::optional<PendingTrap> FirstTrap;
 
+  /// What a recorder wants to know, and the requests of the TM at hand; null
+  /// without one.
+  RecorderPart *Record = nullptr;
+  RequestLedger *Ledger = nullptr;
+
   /// Threads that arrived at the barrier, and that halted, in this window.
   uint32_t Arrived = 0;
   uint32_t Halted = 0;
 
   /// Instructions issued and thread-cycles lost at each word of the text.
   std::vector<uint64_t> ExecutedAt;
+  /// Accesses to global memory likewise.
+  std::vector<uint64_t> GlobalAt;
   std::vector<LossCounts> LostAt;
   std::array<uint64_t, NumOpcodes> DataStall{};
   /// What generated code has counted since CodeGenerator::fold(), and where
   /// that begins.
   std::vector<uint64_t> CodeCounts;
   uint64_t *CodeCountsBegin = nullptr;
-  uint64_t GlobalAccesses = 0;
   std::vector<uint64_t> Markers;
 
   uint64_t windowStartRelative() const { return WindowStart - Epoch; }
@@ -125,14 +132,15 @@ struct TmRunnerState {
   void moveCountersTo(TmRunnerState &Other);
 
   /// Asks the memory system for a load, or for an atomic or stream operation,
-  /// whose result goes to a register of the running thread; gives its ready
-  /// word.
-  ReadyWord requestLoad(Thread &T, uint8_t Destination, Opcode Op,
-                        uint64_t Cycle, uint32_t Address, unsigned Bytes);
-  ReadyWord requestAtomic(Thread &T, uint8_t Destination, Opcode Op,
-                          uint64_t Cycle, uint32_t Address);
+  /// of the instruction \p Word, whose result goes to a register of the running
+  /// thread; gives its ready word.
+  ReadyWord requestLoad(Thread &T, uint32_t Word, uint8_t Destination,
+                        Opcode Op, uint64_t Cycle, uint32_t Address,
+                        unsigned Bytes);
+  ReadyWord requestAtomic(Thread &T, uint32_t Word, uint8_t Destination,
+                          Opcode Op, uint64_t Cycle, uint32_t Address);
   /// Asks it for a store; false, and nothing done, if the store buffer is full.
-  bool requestStore(Thread &T, uint64_t Cycle, uint32_t Address,
+  bool requestStore(Thread &T, uint32_t Word, uint64_t Cycle, uint32_t Address,
                     unsigned Bytes);
   /// Asks it for a line of the text that a TP missed.
   void requestLine(const InstructionCache::Miss &Missed);
@@ -159,6 +167,13 @@ private:
   void ask(const MemoryRequest &Request) {
     ++Unanswered;
     Memory->request(Request);
+  }
+  /// Likewise, for the instruction \p Word.
+  void ask(const MemoryRequest &Request, uint32_t Word) {
+    if (Ledger)
+      Ledger->add(Request.Tp, Request.Ticket, Request.Cycle, Word,
+                  Request.Address);
+    ask(Request);
   }
   MemoryRequest request(const Thread &T, RequestKind Kind, uint64_t Cycle,
                         uint32_t Address, unsigned Bytes,

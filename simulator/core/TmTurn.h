@@ -255,6 +255,9 @@ private:
       Thread &T = Tps[Answer.Tp];
       ThreadRequests &Requests = *T.Requests;
       bool Known = Answer.ReadyCycle != AnsweredLater;
+      if (R.Ledger && Known)
+        R.Record->served(R.Ledger->take(Answer.Tp, Answer.Ticket), Answer.Level,
+                         Answer.ReadyCycle);
       uint8_t Register = ThreadRequests::registerOf(Answer.Ticket);
       if (Register == NumRegisters) {
         Requests.noteStore(Answer);

@@ -46,6 +46,7 @@ public:
     Commit.setOutput(std::move(Function));
   }
   void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) override;
+  void setRecorder(ExecutionRecorder *NewRecorder) override;
   void setInitialState(std::span<const ArchitecturalState> States) override;
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
@@ -169,6 +170,7 @@ private:
   std::optional<RunResult> Final;
   /// Or none.
   std::unique_ptr<CodeGenerator> Generator;
+  ExecutionRecorder *Recorder = nullptr;
 };
 
 template <class Word, bool FlushToZero>
@@ -226,7 +228,20 @@ void WindowEngine<Word, FlushToZero>::setCodeGenerator(
   Subject.LineOf = LineOf;
   for (size_t I = 0; I != Fetched.size(); ++I)
     Subject.Interpreter[I] = reinterpret_cast<const void *>(Fetched[I]);
+  for (size_t I = 0; I != Opcodes.size(); ++I)
+    if (Recorder && Recorder->isObserved(uint32_t(I)))
+      Subject.Interpreter[I] = nullptr;
   Generator->start(std::move(Subject));
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setRecorder(
+    ExecutionRecorder *NewRecorder) {
+  Recorder = NewRecorder;
+  for (uint32_t I = 0; I != Opcodes.size(); ++I)
+    if (Recorder->isObserved(I))
+      (Fetched.empty() ? Slots[I].Execute : Fetched[I]) =
+          handlerOf<Word, FlushToZero>(Text, I, /*IsObserved=*/true);
 }
 
 template <class Word, bool FlushToZero>
@@ -359,6 +374,8 @@ uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
   size_t Begin = size_t(Tm) * Chip.TpsPerTm;
   if (!Icaches.empty())
     R.Icache = &Icaches[Tm];
+  if (Recorder)
+    R.Ledger = &Recorder->ledger(Tm);
   TmTurn<Word> Turn(R, Tm, std::span(Threads).subspan(Begin, Chip.TpsPerTm),
                     std::span(NextCycles).subspan(Begin, Chip.TpsPerTm),
                     FirstPriority, InitialFree);
@@ -516,6 +533,9 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
     R->OwnAccessesOf.resize(Hierarchy ? Chip.TpsPerTm : 0);
     R->L1Latency = Chip.L1 ? Chip.L1->Latency : 0;
     R->ExecutedAt.resize(Slots.size());
+    R->GlobalAt.resize(Slots.size());
+    if (Recorder)
+      R->Record = &Recorder->addPart();
     R->LostAt.resize(Slots.size());
     Counters.push_back(R.get());
     Runners.push_back(std::move(R));
@@ -532,6 +552,10 @@ RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
   if (Final)
     return *Final;
   prepareHostThreads();
+  if (Recorder && !Recorder->hasBegun())
+    for (const Thread &T : Threads)
+      Recorder->begin(T, uint32_t(static_cast<const Slot<Word> *>(T.Resume) -
+                                  Slots.data()));
   uint64_t MaxCycles = Limits.MaxCycles ? Limits.MaxCycles : NeverCycle;
   uint64_t PauseCycle = pauseCycle(Limits);
   uint64_t PassesBefore = countPasses(Limits.PauseMarkers);

@@ -62,13 +62,14 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::serializeCounters(Archive &A) {
   TmRunnerState Sum;
   Sum.ExecutedAt.resize(Slots.size());
+  Sum.GlobalAt.resize(Slots.size());
   Sum.LostAt.resize(Slots.size());
   for (std::unique_ptr<Runner> &R : Runners)
     R->moveCountersTo(Sum);
   A(Sum.ExecutedAt);
   A(Sum.LostAt);
   A(Sum.DataStall);
-  A(Sum.GlobalAccesses);
+  A(Sum.GlobalAt);
   A(Sum.Markers);
   Sum.moveCountersTo(*Runners[0]);
 }

@@ -50,6 +50,7 @@ Statistics Statistics::since(const Statistics &Earlier) const {
   }
   for (size_t I = 0; I != Earlier.Pcs.size(); ++I) {
     Result.Pcs[I].Executed -= Earlier.Pcs[I].Executed;
+    Result.Pcs[I].Global -= Earlier.Pcs[I].Global;
     subtract(Result.Pcs[I].Lost, Earlier.Pcs[I].Lost);
   }
   if (Memory && Earlier.Memory)
@@ -75,6 +76,7 @@ Statistics &Statistics::operator+=(const Statistics &Later) {
   Pcs.resize(Later.Pcs.size());
   for (size_t I = 0; I != Pcs.size(); ++I) {
     Pcs[I].Executed += Later.Pcs[I].Executed;
+    Pcs[I].Global += Later.Pcs[I].Global;
     add(Pcs[I].Lost, Later.Pcs[I].Lost);
   }
   if (Memory && Later.Memory)

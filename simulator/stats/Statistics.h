@@ -75,6 +75,8 @@ struct PcStatistics {
   /// this instruction, to all others while it was the next to issue. A halted
   /// thread is nowhere: Loss::Finished is 0.
   LossCounts Lost{};
+  /// Accesses to global memory.
+  uint64_t Global = 0;
 };
 
 /// Accesses that one level of memory served, and the cycles from their issues
@@ -142,7 +144,8 @@ struct Statistics {
   std::vector<ThreadStatistics> Threads;
   /// One entry per word of the program's text, in the order of addresses.
   std::vector<PcStatistics> Pcs;
-  /// Loads, stores, atomics and stream operations that went to global memory.
+  /// Loads, stores, atomics and stream operations that went to global memory:
+  /// the sum of Pcs.
   uint64_t GlobalAccesses = 0;
   IcacheStatistics Icache;
   /// Nothing if the chip has neither caches nor DRAM.

@@ -1,0 +1,49 @@
+//===- CallTree.cpp - Chains of calls that threads are in -----------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/core/CallTree.h"
+
+namespace tp {
+
+CallTree::CallTree() : Nodes(MaxNodes), Table(TableSize) {}
+
+static uint32_t hashOf(const CallTree::Node &Node) {
+  uint64_t Hash = (uint64_t(Node.Caller) << 32 | Node.Site) +
+                  uint64_t(Node.Function) * 0x9E3779B97F4A7C15;
+  Hash *= 0xBF58476D1CE4E5B9;
+  return uint32_t(Hash >> 32);
+}
+
+uint32_t CallTree::numberOf(const Node &Wanted) {
+  for (uint32_t Place = hashOf(Wanted) % TableSize;;
+       Place = (Place + 1) % TableSize) {
+    uint32_t Found = Table[Place].load(std::memory_order_acquire);
+    if (Found == 0)
+      return add(Wanted);
+    if (Nodes[Found - 1] == Wanted)
+      return Found - 1;
+  }
+}
+
+uint32_t CallTree::add(const Node &Wanted) {
+  std::lock_guard Lock(Mutex);
+  uint32_t Place = hashOf(Wanted) % TableSize;
+  for (; uint32_t Found = Table[Place].load(std::memory_order_relaxed);
+       Place = (Place + 1) % TableSize)
+    if (Nodes[Found - 1] == Wanted)
+      return Found - 1;
+  // The last ones are for functions without a caller.
+  constexpr uint32_t MaxCalled = MaxNodes / 2;
+  if (Count >= MaxCalled && Wanted.Caller != NoNode) {
+    IsCut = true;
+    return Wanted.Caller;
+  }
+  Nodes[Count] = Wanted;
+  Table[Place].store(++Count, std::memory_order_release);
+  return Count - 1;
+}
+
+} // namespace tp

@@ -1,0 +1,204 @@
+//===- ExecutionRecorder.cpp - Records a run for its profile --------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/core/ExecutionRecorder.h"
+
+#include <algorithm>
+
+namespace tp {
+
+void RecorderPart::issued(const Thread &T, const IssuedInstruction &Issued) {
+  Transfer Kind = Owner.Transfers[Issued.Word];
+  if (Kind == Transfer::None || !Issued.IsTaken)
+    return;
+  const FunctionMap &Functions = Owner.Functions;
+  if (Kind == Transfer::Jump && Functions.functionOf(Issued.Word) ==
+                                    Functions.functionOf(Issued.NextWord))
+    return;
+  ExecutionRecorder::ThreadCalls &Where = Owner.Threads[T.Number];
+  NodeCounts &Counts = countsOf(Where.Node);
+  uint64_t Instructions = Issued.Cycle - T.totalLost();
+  Counts.Instructions += Instructions - Where.Instructions;
+  Where.Instructions = Instructions;
+  for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
+    Counts.Lost[Reason] += T.Lost[Reason] - Where.Lost[Reason];
+  Where.Lost = T.Lost;
+  Counts.Lost[unsigned(Loss::Branch)] += Issued.BranchLoss;
+  Where.Lost[unsigned(Loss::Branch)] += Issued.BranchLoss;
+  Where.LastNode = Where.Node;
+  if (Kind == Transfer::Call)
+    Owner.call(Where, Issued, *this);
+  else if (Kind == Transfer::Return)
+    Owner.comeBack(Where, Issued.NextWord, *this);
+  else
+    Owner.jump(Where, Issued, *this);
+}
+
+ExecutionRecorder::ExecutionRecorder(const ChipConfig &Chip,
+                                     const Program &Text,
+                                     std::vector<uint32_t> Entries)
+    : Chip(Chip), Text(Text), Functions(Text, std::move(Entries)),
+      Transfers(transfersOf(Text, Functions)), Ledgers(Chip.TmCount) {}
+
+void ExecutionRecorder::begin(const Thread &T, uint32_t Word) {
+  if (Parts.empty())
+    addPart();
+  Threads.resize(std::max<size_t>(Threads.size(), T.Number + 1));
+  ThreadCalls &Where = Threads[T.Number];
+  uint32_t LastWord = uint32_t(Transfers.size()) - 1;
+  enter(Where,
+        {CallTree::NoNode, 0, Functions.functionOf(std::min(Word, LastWord))},
+        Parts.front());
+  Where.LastNode = Where.Node;
+}
+
+void ExecutionRecorder::enter(ThreadCalls &Where,
+                              const CallTree::Node &Function,
+                              RecorderPart &Part) {
+  uint32_t Node = Tree.numberOf(Function);
+  Where.Node = Node;
+  if (Node != Function.Caller)
+    ++Part.countsOf(Node).Calls;
+}
+
+void ExecutionRecorder::call(ThreadCalls &Where,
+                             const IssuedInstruction &Issued,
+                             RecorderPart &Part) {
+  Where.Stack.push_back({Issued.Word + 1, Where.Node});
+  enter(Where, {Where.Node, Issued.Word, Functions.functionOf(Issued.NextWord)},
+        Part);
+}
+
+void ExecutionRecorder::comeBack(ThreadCalls &Where, uint32_t Word,
+                                 RecorderPart &Part) {
+  while (!Where.Stack.empty()) {
+    OpenCall Last = Where.Stack.back();
+    Where.Stack.pop_back();
+    if (Last.ReturnWord == Word) {
+      Where.Node = Last.Caller;
+      return;
+    }
+  }
+  enter(Where, {CallTree::NoNode, 0, Functions.functionOf(Word)}, Part);
+}
+
+void ExecutionRecorder::jump(ThreadCalls &Where,
+                             const IssuedInstruction &Issued,
+                             RecorderPart &Part) {
+  auto IsReturn = [&](const OpenCall &Call) {
+    return Call.ReturnWord == Issued.NextWord;
+  };
+  uint32_t Function = Functions.functionOf(Issued.NextWord);
+  if (Functions.entryOf(Function) != Issued.NextWord &&
+      std::ranges::any_of(Where.Stack, IsReturn))
+    return comeBack(Where, Issued.NextWord, Part);
+  // Functions that go on in each other in turn are a loop, not a chain.
+  uint32_t CalledBy =
+      Where.Stack.empty() ? CallTree::NoNode : Where.Stack.back().Caller;
+  for (uint32_t Node = Where.Node; Node != CalledBy;
+       Node = Tree.node(Node).Caller)
+    if (Tree.node(Node).Function == Function) {
+      Where.Node = Node;
+      ++Part.countsOf(Node).Calls;
+      return;
+    }
+  enter(Where, {Where.Node, Issued.Word, Function}, Part);
+}
+
+std::vector<RecorderPart::NodeCounts>
+ExecutionRecorder::sumOfNodes(const Statistics &Now) const {
+  std::vector<RecorderPart::NodeCounts> Sum(Tree.size());
+  for (const RecorderPart &Part : Parts)
+    for (size_t Node = 0; Node != Part.Nodes.size(); ++Node) {
+      const RecorderPart::NodeCounts &Counts = Part.Nodes[Node];
+      Sum[Node].Calls += Counts.Calls;
+      Sum[Node].Instructions += Counts.Instructions;
+      for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
+        Sum[Node].Lost[Reason] += Counts.Lost[Reason];
+    }
+  for (size_t Thread = 0; Thread != Threads.size(); ++Thread) {
+    const ThreadCalls &Where = Threads[Thread];
+    const ThreadStatistics &Counts = Now.Threads[Thread];
+    Sum[Where.Node].Instructions += Counts.Instructions - Where.Instructions;
+    for (unsigned Reason = 0; Reason != NumLosses; ++Reason) {
+      if (Loss(Reason) == Loss::Finished)
+        continue;
+      uint64_t Before = Where.Lost[Reason], After = Counts.Lost[Reason];
+      // The branch to where the thread is now was cut by the run's end.
+      uint32_t Node = After < Before ? Where.LastNode : Where.Node;
+      Sum[Node].Lost[Reason] += After - Before;
+    }
+  }
+  return Sum;
+}
+
+void ExecutionRecorder::recordAccesses(const Statistics &Now,
+                                       ExecutionRecord &Result) const {
+  for (size_t Word = 0; Word != Now.Pcs.size(); ++Word) {
+    MemoryBehaviour &Memory = Result.Pcs.emplace_back();
+    Memory.Global = Now.Pcs[Word].Global;
+    for (const RecorderPart &Part : Parts)
+      for (unsigned Level = 0; Level != NumServedBy; ++Level) {
+        Memory.Served[Level].Accesses += Part.Served[Word][Level].Accesses;
+        Memory.Served[Level].Cycles += Part.Served[Word][Level].Cycles;
+      }
+    if (Chip.hasMemorySystem() || Memory.Global == 0)
+      continue;
+    // Nobody answers stores.
+    bool HasAnswer =
+        Text.instructions()[Word].Op != IllegalOpcode &&
+        latencyClassOf(Text.instructions()[Word].Op) != LatencyClass::Store;
+    Memory.Served[unsigned(ServedBy::Memory)] = {
+        Memory.Global, HasAnswer ? Memory.Global * Chip.MemoryLatency : 0};
+  }
+}
+
+void ExecutionRecorder::recordCalls(const Statistics &Now,
+                                    ExecutionRecord &Result) const {
+  std::vector<RecorderPart::NodeCounts> Sum = sumOfNodes(Now);
+  // Numbers depend on which host thread came first; the order of chains does
+  // not.
+  std::vector<std::vector<uint32_t>> Called(Tree.size());
+  std::vector<uint32_t> Next;
+  for (uint32_t Node = 0; Node != Tree.size(); ++Node)
+    (Tree.node(Node).Caller == CallTree::NoNode
+         ? Next
+         : Called[Tree.node(Node).Caller])
+        .push_back(Node);
+  auto Sort = [this](std::vector<uint32_t> &Nodes) {
+    std::ranges::sort(Nodes, std::greater(), [this](uint32_t Node) {
+      return std::pair(Tree.node(Node).Site, Tree.node(Node).Function);
+    });
+  };
+  Sort(Next);
+  std::vector<uint32_t> NewNumber(Tree.size());
+  while (!Next.empty()) {
+    uint32_t Number = Next.back();
+    Next.pop_back();
+    NewNumber[Number] = uint32_t(Result.Calls.size());
+    const CallTree::Node &Node = Tree.node(Number);
+    CalledFunction &Function = Result.Calls.emplace_back();
+    Function.Entry = Functions.entryOf(Node.Function);
+    if (Node.Caller != CallTree::NoNode)
+      Function.Caller = NewNumber[Node.Caller];
+    Function.CallSite = Node.Site;
+    Function.Calls = Sum[Number].Calls;
+    Function.Instructions = Sum[Number].Instructions;
+    Function.Lost = Sum[Number].Lost;
+    Sort(Called[Number]);
+    Next.insert(Next.end(), Called[Number].begin(), Called[Number].end());
+  }
+  Result.IsCallTreeCut = Tree.isCut();
+}
+
+ExecutionRecord ExecutionRecorder::record(const Statistics &Now) const {
+  ExecutionRecord Result;
+  recordAccesses(Now, Result);
+  recordCalls(Now, Result);
+  return Result;
+}
+
+} // namespace tp
