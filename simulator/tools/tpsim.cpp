@@ -5,26 +5,16 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/chip/ChipFile.h"
-#include "simulator/chip/ChipSettings.h"
 #include "simulator/chip/SchemaTable.h"
+#include "simulator/tools/ChipSelection.h"
 #include "simulator/tools/CompareRuns.h"
 #include "simulator/tools/Options.h"
+#include "simulator/tools/ProfileOutputs.h"
 #include "simulator/tools/Simulation.h"
 
-#include "llvm/Support/FileSystem.h"
-#include "llvm/Support/Path.h"
+#include "llvm/Support/raw_ostream.h"
 
 using namespace llvm;
-
-/// The folder of the chips that go by name: `<bin>/../share/tp/chips`.
-static std::string chipFolder(const char *Argv0) {
-  std::string Binary =
-      sys::fs::getMainExecutable(Argv0, reinterpret_cast<void *>(&chipFolder));
-  SmallString<256> Folder =
-      sys::path::parent_path(sys::path::parent_path(Binary));
-  sys::path::append(Folder, "share", "tp", "chips");
-  return std::string(Folder);
-}
 
 static Expected<int> run(int Argc, char **Argv) {
   Expected<tp::Options> Request =
@@ -48,11 +38,13 @@ static Expected<int> run(int Argc, char **Argv) {
       return std::move(E);
     return 0;
   }
-  std::string ChipFolder = chipFolder(Argv[0]);
-  Expected<tp::ChipConfig> Chip = tp::loadChip(Request->Chip, ChipFolder);
-  if (Chip && !Request->ChipSettings.empty())
-    Chip = tp::withSettings(*Chip, Request->ChipSettings,
-                            tp::foldersOfChip(Request->Chip, ChipFolder));
+  if (Request->Profile && !Request->Profile->Input.empty()) {
+    if (Error E = tp::showProfile(*Request->Profile))
+      return std::move(E);
+    return 0;
+  }
+  Expected<tp::ChipConfig> Chip =
+      tp::selectChip(*Request, tp::chipFolder(Argv[0]));
   if (!Chip)
     return Chip.takeError();
   if (Request->PrintChip) {
