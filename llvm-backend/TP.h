@@ -22,6 +22,9 @@ FunctionPass *createTPISelDag(TPTargetMachine &TM, CodeGenOptLevel OptLevel);
 /// Creates the pass that tells debuggers of variables behind pointer arguments.
 FunctionPass *createTPArgumentVariablesPass();
 
+/// Creates the pass that makes the first loads of compare-exchange loops atomic.
+FunctionPass *createTPAtomicLoopsPass();
+
 /// Creates the pass that gives the declarations of the TP builtins the
 /// attributes that TPBuiltins.def promises.
 ModulePass *createTPBuiltinAttributesPass();
@@ -37,6 +40,7 @@ void registerTPAsmPrinter();
 
 void initializeTPArgumentVariablesPass(PassRegistry &);
 void initializeTPAsmPrinterPass(PassRegistry &);
+void initializeTPAtomicLoopsPass(PassRegistry &);
 void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
 void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);
 void initializeTPGlobalLoadsPass(PassRegistry &);

@@ -10,6 +10,7 @@
 #include "llvm-backend/MCTargetDesc/TPInstPrinter.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
 #include "llvm-backend/TP.h"
+#include "llvm-backend/TPAtomicAccesses.h"
 #include "llvm-backend/TPFrameRecords.h"
 #include "llvm-backend/TPMCInstLower.h"
 #include "llvm-backend/TargetInfo/TPTargetInfo.h"
@@ -35,6 +36,7 @@ namespace {
 class TPAsmPrinter : public AsmPrinter {
   TPMCInstLower Lowering;
   TPFrameRecords Frames;
+  TPAtomicAccesses Atomics;
 
 public:
   static char ID;
@@ -67,6 +69,7 @@ void llvm::registerTPAsmPrinter() {
 }
 
 void TPAsmPrinter::emitInstruction(const MachineInstr *MI) {
+  Atomics.add(*MI, *OutStreamer);
   MCInst Inst;
   Lowering.lower(*MI, Inst);
   EmitToStreamer(*OutStreamer, Inst);
@@ -90,9 +93,10 @@ void TPAsmPrinter::emitFunctionBodyEnd() {
 }
 
 /// Tells the linker what the functions take from the stack, and what the unit
-/// assumes of infinities.
+/// assumes of infinities; the simulator, which accesses are atomic.
 void TPAsmPrinter::emitEndOfAsmFile(Module &M) {
   Frames.emit(*OutStreamer);
+  Atomics.emit(*OutStreamer);
   SmallVector<FloatingPointUnit> Units = floatingPointUnits(M);
   if (Units.empty())
     return;

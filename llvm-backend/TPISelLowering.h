@@ -112,6 +112,9 @@ public:
                                  AtomicOrdering Ord) const override;
   AtomicExpansionKind
   shouldExpandAtomicRMWInIR(AtomicRMWInst *RMW) const override;
+  using TargetLowering::getTargetMMOFlags;
+  MachineMemOperand::Flags
+  getTargetMMOFlags(const Instruction &I) const override;
 
 private:
   SDValue lowerAddress(SDValue Op, SelectionDAG &DAG) const;

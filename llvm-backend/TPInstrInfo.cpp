@@ -487,3 +487,10 @@ TPInstrInfo::getSerializableDirectMachineOperandTargetFlags() const {
       {TPII::MO_HI, "tp-hi"}, {TPII::MO_LO, "tp-lo"}};
   return Names;
 }
+
+ArrayRef<std::pair<MachineMemOperand::Flags, const char *>>
+TPInstrInfo::getSerializableMachineMemOperandTargetFlags() const {
+  static const std::pair<MachineMemOperand::Flags, const char *> Names[] = {
+      {TPII::MOPartOfWord, "tp-part-of-word"}};
+  return Names;
+}

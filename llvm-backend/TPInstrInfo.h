@@ -15,6 +15,13 @@
 
 namespace llvm {
 
+namespace TPII {
+/// Of an atomic access to a word that is meant for some of its bytes.
+inline constexpr MachineMemOperand::Flags MOPartOfWord =
+    MachineMemOperand::MOTargetFlag1;
+} // namespace TPII
+
+
 class TPSubtarget;
 
 /// What generic code asks about instructions: copies, spills, branches, memory
@@ -95,6 +102,8 @@ public:
   decomposeMachineOperandsTargetFlags(unsigned Flags) const override;
   ArrayRef<std::pair<unsigned, const char *>>
   getSerializableDirectMachineOperandTargetFlags() const override;
+  ArrayRef<std::pair<MachineMemOperand::Flags, const char *>>
+  getSerializableMachineMemOperandTargetFlags() const override;
 
   bool isFunctionSafeToOutlineFrom(MachineFunction &MF,
                                    bool OutlineFromLinkOnceODRs) const override;

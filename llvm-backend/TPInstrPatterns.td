@@ -74,19 +74,27 @@ defm : StorePatterns<truncstorei8, i32, GPR, SB, SBX>;
 defm : StorePatterns<truncstorei16, i32, GPR, SH, SHX>;
 
 // Aligned loads and stores of up to a word are atomic as they are.
-class AtomicLoadPattern<SDPatternOperator node, Instruction instruction>
-    : Pat<(i32 (node (AddrRI (i32 GPR:$base), (i32 simm16:$offset)))),
+class AtomicLoadPattern<SDPatternOperator node, Instruction instruction,
+                        ValueType type = i32>
+    : Pat<(type (node (AddrRI (i32 GPR:$base), (i32 simm16:$offset)))),
           (instruction GPR:$base, simm16:$offset)>;
 class AtomicStorePattern<SDPatternOperator node, Instruction instruction>
     : Pat<(node (i32 GPR:$value),
                 (AddrRI (i32 GPR:$base), (i32 simm16:$offset))),
           (instruction GPR:$value, GPR:$base, simm16:$offset)>;
 
+def atomic_load_f32 : PatFrag<(ops node:$address),
+                              (atomic_load node:$address)> {
+  let IsAtomic = true;
+  let MemoryVT = f32;
+}
+
 def : AtomicLoadPattern<atomic_load_azext_8, LBU>;
 def : AtomicLoadPattern<atomic_load_sext_8, LB>;
 def : AtomicLoadPattern<atomic_load_azext_16, LHU>;
 def : AtomicLoadPattern<atomic_load_sext_16, LH>;
 def : AtomicLoadPattern<atomic_load_nonext_32, LW>;
+def : AtomicLoadPattern<atomic_load_f32, LWC1, f32>;
 def : AtomicStorePattern<atomic_store_8, SB>;
 def : AtomicStorePattern<atomic_store_16, SH>;
 def : AtomicStorePattern<atomic_store_32, SW>;

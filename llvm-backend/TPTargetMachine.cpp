@@ -35,6 +35,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
     PassRegistry &Registry = *PassRegistry::getPassRegistry();
     initializeTPAsmPrinterPass(Registry);
     initializeTPArgumentVariablesPass(Registry);
+    initializeTPAtomicLoopsPass(Registry);
     initializeTPBuiltinAttributesLegacyPass(Registry);
     initializeTPDAGToDAGISelLegacyPass(Registry);
     initializeTPGlobalLoadsPass(Registry);
@@ -147,6 +148,7 @@ public:
     addPass(createTPStrictHalfFloatsPass());
     addPass(createTPArgumentVariablesPass());
     addPass(createAtomicExpandLegacyPass());
+    addPass(createTPAtomicLoopsPass());
     TargetPassConfig::addIRPasses();
   }
 

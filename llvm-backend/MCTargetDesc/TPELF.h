@@ -24,6 +24,17 @@ inline constexpr uint32_t DeadAddress = 0xFFFFFFFF;
 /// address and its size in bytes, one word each.
 inline constexpr const char CheckedFunctionsSection[] = ".tp_fp_checked";
 
+/// A section that lists the atomic loads and stores: of each its address in one
+/// word, and with it, as its last bits, the flags below. It also lists atomic
+/// instructions that have flags.
+inline constexpr const char AtomicAccessesSection[] = ".tp_atomics";
+enum AtomicAccessFlags : uint32_t {
+  /// A load with the order of an acquire operation.
+  AcquiresFlag = 1,
+  /// Of the word only those bytes are meant that change.
+  PartOfWordFlag = 2,
+};
+
 /// Types of relocations; see TPRelocations.def for what each one writes.
 enum Relocation : uint32_t {
 #define TP_RELOC(Name, Value) Name = (Value),

@@ -12,6 +12,7 @@
 #ifndef TP_SIMULATOR_CHECK_CALLCONTEXTS_H
 #define TP_SIMULATOR_CHECK_CALLCONTEXTS_H
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -37,7 +38,7 @@ public:
 private:
   /// Deeper and other calls than these are not told apart: what follows them
   /// has an empty stack.
-  static constexpr size_t MaxNodes = 1 << 22;
+  static constexpr std::size_t MaxNodes = 1 << 22;
 
   struct Node {
     CallContext Caller = 0;

@@ -50,6 +50,8 @@ Expected<ElfProgram> ElfProgram::load(StringRef Path) {
     return E;
   if (llvm::Error E = Program.readFloatChecked())
     return E;
+  if (llvm::Error E = Program.readAtomicAccesses())
+    return E;
   return Program;
 }
 
@@ -164,37 +166,65 @@ llvm::Error ElfProgram::readSymbols() {
   return llvm::Error::success();
 }
 
-llvm::Error ElfProgram::readFloatChecked() {
+Expected<ArrayRef<support::ulittle32_t>>
+ElfProgram::readWords(StringRef SectionName, size_t EntryWords) const {
   for (const object::SectionRef &Section : Object->sections()) {
     Expected<StringRef> Name = Section.getName();
     if (!Name)
       return error("the section table is damaged: " +
                    toString(Name.takeError()));
-    if (*Name != TPELF::CheckedFunctionsSection)
+    if (*Name != SectionName)
       continue;
     Expected<StringRef> Contents = Section.getContents();
     if (!Contents)
-      return error("the section " + *Name +
+      return error("the section " + SectionName +
                    " is damaged: " + toString(Contents.takeError()));
-    constexpr size_t EntryBytes = 2 * sizeof(uint32_t);
+    const size_t EntryBytes = EntryWords * sizeof(uint32_t);
     if (Contents->size() % EntryBytes != 0)
-      return error("is damaged: the section " + *Name + " has " +
+      return error("is damaged: the section " + SectionName + " has " +
                    Twine(Contents->size()) + " bytes, no multiple of " +
                    Twine(EntryBytes));
-    for (StringRef Rest = *Contents; !Rest.empty();
-         Rest = Rest.drop_front(EntryBytes)) {
-      uint32_t Begin = support::endian::read32le(Rest.data());
-      uint32_t Size = support::endian::read32le(Rest.data() + sizeof(Begin));
-      if (Begin == TPELF::DeadAddress)
-        continue;
-      uint64_t End = uint64_t(Begin) + Size;
-      if (Begin % 4 != 0 || Begin < text().Address ||
-          End > text().Address + text().Contents.size())
-        return error("is damaged: the section " + *Name +
-                     " lists a function at " + hex(Begin) +
-                     " that is not in the code");
-      FloatChecked.push_back({Begin, uint32_t(End)});
-    }
+    return ArrayRef(
+        reinterpret_cast<const support::ulittle32_t *>(Contents->data()),
+        Contents->size() / sizeof(uint32_t));
+  }
+  return ArrayRef<support::ulittle32_t>();
+}
+
+llvm::Error ElfProgram::readFloatChecked() {
+  auto Words = readWords(TPELF::CheckedFunctionsSection, 2);
+  if (!Words)
+    return Words.takeError();
+  for (; !Words->empty(); *Words = Words->drop_front(2)) {
+    const uint32_t Begin = Words->front();
+    if (Begin == TPELF::DeadAddress)
+      continue;
+    const uint64_t End = uint64_t(Begin) + (*Words)[1];
+    if (Begin % 4 != 0 || Begin < text().Address ||
+        End > text().Address + text().Contents.size())
+      return error(
+          "is damaged: the section " + Twine(TPELF::CheckedFunctionsSection) +
+          " lists a function at " + hex(Begin) + " that is not in the code");
+    FloatChecked.push_back({Begin, uint32_t(End)});
+  }
+  return llvm::Error::success();
+}
+
+llvm::Error ElfProgram::readAtomicAccesses() {
+  auto Words = readWords(TPELF::AtomicAccessesSection, 1);
+  if (!Words)
+    return Words.takeError();
+  for (const uint32_t Entry : *Words) {
+    if (Entry >= (TPELF::DeadAddress & ~3u))
+      continue;
+    const uint32_t Address = Entry & ~3u;
+    if (Address < text().Address ||
+        Address >= text().Address + text().Contents.size())
+      return error(
+          "is damaged: the section " + Twine(TPELF::AtomicAccessesSection) +
+          " lists an access at " + hex(Address) + " that is not in the code");
+    AtomicAccesses.push_back({Address, (Entry & TPELF::AcquiresFlag) != 0,
+                              (Entry & TPELF::PartOfWordFlag) != 0});
   }
   return llvm::Error::success();
 }

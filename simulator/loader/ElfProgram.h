@@ -11,6 +11,7 @@
 #include "llvm/ADT/StringMap.h"
 #include "llvm/ADT/StringRef.h"
 #include "llvm/Object/ObjectFile.h"
+#include "llvm/Support/Endian.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/MemoryBuffer.h"
 
@@ -37,6 +38,16 @@ struct Segment {
 struct AddressRange {
   uint32_t Begin = 0;
   uint32_t End = 0;
+};
+
+/// A load or store that is atomic, or an atomic instruction that is not meant
+/// for its whole word.
+struct AtomicAccess {
+  uint32_t Address = 0;
+  /// A load with the order of an acquire operation.
+  bool Acquires = false;
+  /// Of the word only those bytes are meant that change.
+  bool IsPartOfWord = false;
 };
 
 /// An executable that has been checked: everything in it can be used as it is.
@@ -66,6 +77,8 @@ public:
   std::optional<uint32_t> stackLimit() const;
   /// The functions that were compiled with floating-point checks.
   llvm::ArrayRef<AddressRange> floatChecked() const { return FloatChecked; }
+  /// What the compiler says of atomic accesses in the code.
+  llvm::ArrayRef<AtomicAccess> atomicAccesses() const { return AtomicAccesses; }
   /// The whole file, for debug information.
   const llvm::object::ObjectFile &object() const { return *Object; }
 
@@ -78,11 +91,16 @@ private:
   size_t TextIndex = 0;
   llvm::StringMap<uint32_t> Symbols;
   std::vector<AddressRange> FloatChecked;
+  std::vector<AtomicAccess> AtomicAccesses;
 
   llvm::Error readHeader();
   llvm::Error readSegments();
   llvm::Error readSymbols();
   llvm::Error readFloatChecked();
+  llvm::Error readAtomicAccesses();
+  /// The words of a section that lists entries of so many; none without it.
+  llvm::Expected<llvm::ArrayRef<llvm::support::ulittle32_t>>
+  readWords(llvm::StringRef SectionName, size_t EntryWords) const;
   llvm::Error error(const llvm::Twine &What) const;
 };
 

@@ -159,35 +159,43 @@ void RaceDetector::eachByte(WordShadow &W, AccessRecord Now, Function Note) {
       Note(SplitWords[Index][Byte], Now.withBytes(Bit));
 }
 
-void RaceDetector::atomicLoad(uint32_t Thread, uint32_t Address, unsigned Bytes,
-                              bool Acquires, AccessSite Site) {
-  Order->atomicLoad(Thread, Address & ~3u, Acquires);
+void RaceDetector::atomicRead(uint32_t Thread, uint32_t Address, unsigned Bytes,
+                              AccessSite Site) {
   noteRead(wordAt(Address), Address & ~3u, Thread,
            record(Thread, Address, Bytes, true).withSite(Site));
 }
 
-void RaceDetector::atomicStore(uint32_t Thread, uint32_t Address,
+void RaceDetector::atomicWrite(uint32_t Thread, uint32_t Address,
                                unsigned Bytes, AccessSite Site) {
   noteWrite(wordAt(Address), Address & ~3u, Thread,
             record(Thread, Address, Bytes, true).withSite(Site));
+}
+
+void RaceDetector::atomicOrder(uint32_t Thread, uint32_t Address) {
+  Order->atomicChange(Thread, Address);
+  keepFormat();
+}
+
+void RaceDetector::atomicLoad(uint32_t Thread, uint32_t Address, unsigned Bytes,
+                              bool Acquires, AccessSite Site) {
+  Order->atomicLoad(Thread, Address & ~3u, Acquires);
+  atomicRead(Thread, Address, Bytes, Site);
+}
+
+void RaceDetector::atomicStore(uint32_t Thread, uint32_t Address,
+                               unsigned Bytes, AccessSite Site) {
+  atomicWrite(Thread, Address, Bytes, Site);
   Order->atomicStore(Thread, Address & ~3u);
   keepFormat();
 }
 
 void RaceDetector::atomicChange(uint32_t Thread, uint32_t Address,
                                 AccessSite Site) {
-  noteWrite(wordAt(Address), Address, Thread,
-            record(Thread, Address, 4, true).withSite(Site));
-  Order->atomicChange(Thread, Address);
-  keepFormat();
+  atomicWrite(Thread, Address, 4, Site);
+  atomicOrder(Thread, Address);
 }
 
-void RaceDetector::streamOperation(uint32_t Thread, uint32_t Stream,
-                                   AccessSite Site) {
-  // Head, tail and capacity.
-  for (uint32_t Word = 0; Word != 3; ++Word)
-    noteWrite(wordAt(Stream + 4 * Word), Stream + 4 * Word, Thread,
-              record(Thread, Stream, 4, true).withSite(Site));
+void RaceDetector::streamOperation(uint32_t Thread, uint32_t Stream) {
   Order->streamOperation(Thread, Stream);
   keepFormat();
 }

@@ -89,8 +89,15 @@ public:
                    AccessSite Site);
   /// An atomic operation on the word at \p Address that reads and writes.
   void atomicChange(uint32_t Thread, uint32_t Address, AccessSite Site);
-  /// An operation on the stream whose descriptor is at \p Stream.
-  void streamOperation(uint32_t Thread, uint32_t Stream, AccessSite Site);
+  /// What atomicChange() orders, without the access.
+  void atomicOrder(uint32_t Thread, uint32_t Address);
+  /// Atomic accesses that order nothing by themselves.
+  void atomicRead(uint32_t Thread, uint32_t Address, unsigned Bytes,
+                  AccessSite Site);
+  void atomicWrite(uint32_t Thread, uint32_t Address, unsigned Bytes,
+                   AccessSite Site);
+  /// What an operation on the stream with this descriptor orders.
+  void streamOperation(uint32_t Thread, uint32_t Stream);
   void fence(uint32_t Thread);
   /// All threads have met at the barrier.
   void barrier();

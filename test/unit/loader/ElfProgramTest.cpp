@@ -216,4 +216,26 @@ TEST_F(CheckedFunctions, HaveWholeEntries) {
               HasSubstr("the section .tp_fp_checked is damaged"));
 }
 
+TEST_F(CheckedFunctions, AtomicAccessesAreListedWithTheirFlags) {
+  std::strcpy(&Checked.Names[Checked.Sections[1].sh_name], ".tp_atomics");
+  Checked.List[0] = 0x10004 + 1;
+  Checked.List[1] = 0x10008 + 2;
+  llvm::Expected<ElfProgram> Program = loadChecked();
+  ASSERT_TRUE(bool(Program)) << llvm::toString(Program.takeError());
+  llvm::ArrayRef<AtomicAccess> Found = Program->atomicAccesses();
+  ASSERT_EQ(Found.size(), 2u);
+  EXPECT_EQ(Found[0].Address, 0x10004u);
+  EXPECT_TRUE(Found[0].Acquires);
+  EXPECT_FALSE(Found[0].IsPartOfWord);
+  EXPECT_EQ(Found[1].Address, 0x10008u);
+  EXPECT_FALSE(Found[1].Acquires);
+  EXPECT_TRUE(Found[1].IsPartOfWord);
+
+  Checked.List[0] = 0xFFFFFFFF;
+  Checked.List[1] = 0x20001;
+  EXPECT_THAT(checkedError(),
+              HasSubstr("lists an access at 0x00020000 that is not in the "
+                        "code"));
+}
+
 } // namespace

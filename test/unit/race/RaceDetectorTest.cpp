@@ -181,10 +181,15 @@ TEST_F(RaceDetection, AtomicReadDoesNotHideAnOrdinaryOne) {
 
 TEST_F(RaceDetection, StreamsOrder) {
   write(1, X, 10);
-  Detector.streamOperation(1, Flag, 50);
-  Detector.streamOperation(2, Flag, 51);
+  Detector.atomicWrite(1, Flag, 4, 50);
+  Detector.streamOperation(1, Flag);
+  Detector.atomicRead(2, Flag, 4, 51);
+  Detector.streamOperation(2, Flag);
   read(2, X, 20);
   EXPECT_EQ(sites(), Sites());
+  // Its words are not for other accesses.
+  write(3, Flag, 30);
+  EXPECT_EQ(sites(), (Sites{{50, 30}, {51, 30}}));
 }
 
 TEST_F(RaceDetection, BytesOfAWordAreApart) {
