@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace tp {
@@ -69,7 +70,9 @@ public:
   /// Who gets the program's output; without one it is dropped.
   void setOutput(OutputCallback Callback) { Output = std::move(Callback); }
   /// Called about ten times a second while the program runs.
-  void setProgress(std::function<void()> Callback);
+  void setProgress(ProgressFunction Callback) {
+    Machine->setProgress(Progress = std::move(Callback));
+  }
   /// Stops the program soon; from any thread or signal handler.
   void interrupt() { StopRequested = true; }
 
@@ -112,7 +115,8 @@ public:
   SessionStop step(const StepRequest &Step);
   /// Runs until \p Of (of backtrace()) has returned; backwards until before its
   /// call.
-  SessionStop finish(uint32_t Thread, const Frame &Of, Direction Towards);
+  llvm::Expected<SessionStop> finish(uint32_t Thread, const Frame &Of,
+                                     Direction Towards);
   /// Runs until the thread is at one of the locations or \p Of has returned.
   SessionStop advance(uint32_t Thread, const Frame &Of,
                       llvm::ArrayRef<CodeLocation> Locations);
@@ -132,10 +136,26 @@ public:
 
 private:
   friend class Stepper;
-  Session() = default;
+  Session();
+
+  /// Runs until one of \p Own (then it is a Step), a breakpoint or the end.
+  SessionStop run(Direction Towards, std::vector<InstructionEvents> Own);
+  /// To the thread's next instruction, without regard to breakpoints.
+  SessionStop moveByOne(uint32_t Thread);
+
+  llvm::Error start();
+  Events wantedEvents(Direction Towards);
+  bool countsHit(Breakpoint &At, uint32_t Thread, SessionStop &Result);
+  std::optional<SessionStop> interpret(const ReplayStop &At, bool IsOwn);
+  void interpretInstruction(const ReplayStop &At, SessionStop &Result);
+  void interpretAccess(const ReplayStop &At, SessionStop &Result);
+  ProbeTest testOf(const Breakpoint &Of);
+  bool isWanted(llvm::ArrayRef<InstructionEvents> Own, const ReplayStop &At);
 
   SessionOptions Request;
   ChipConfig Chip;
+  /// Where debug information comes from; it stays when the run is restarted.
+  std::unique_ptr<ElfProgram> Elf;
   std::unique_ptr<RunSetup> Loaded;
   std::unique_ptr<DebugInformation> Information;
   std::unique_ptr<ValuePrinter> Printer;
@@ -143,9 +163,16 @@ private:
   BreakpointTable Table;
   ValueHistory Values;
   OutputCallback Output;
-  std::function<void()> Progress;
+  ProgressFunction Progress;
   std::atomic<bool> StopRequested = false;
   std::vector<std::unique_ptr<MachineAccess>> Access;
+  /// Watchpoints, by the index of their access events and of the events that
+  /// end them.
+  std::vector<unsigned> Watching;
+  std::vector<unsigned> Ending;
+  size_t FirstEnding = 0;
+  /// Conditions may be asked for by several threads of the host.
+  std::mutex Evaluating;
 };
 
 } // namespace tp

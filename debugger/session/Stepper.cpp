@@ -1,0 +1,373 @@
+//===- Stepper.cpp - Runs a thread to where a step ends -------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "debugger/session/Stepper.h"
+
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/Endian.h"
+
+using namespace llvm;
+
+namespace tp {
+
+/// What cannot be found out is as if it were not there.
+template <typename T> static T valueOr(Expected<T> Result, T Otherwise) {
+  if (Result)
+    return std::move(*Result);
+  consumeError(Result.takeError());
+  return Otherwise;
+}
+
+static constexpr unsigned ReturnAddressRegister = 31;
+/// The first of two in which functions return.
+static constexpr unsigned ResultRegister = 4;
+static constexpr unsigned FloatResultRegister = DwarfFirstFloat + 4;
+
+static bool contains(ArrayRef<AddressRange> Ranges, uint32_t Pc) {
+  return any_of(Ranges, [&](const AddressRange &R) {
+    return Pc >= R.Begin && Pc < R.End;
+  });
+}
+
+static bool isDone(const SessionStop &Stop) {
+  return Stop.Kind == SessionStop::Step;
+}
+
+Stepper::Stepper(Session &Owner, uint32_t Thread)
+    : Owner(Owner), Map(Owner.information().map()), Thread(Thread) {}
+
+uint32_t Stepper::pc() const { return Owner.replay().thread(Thread).Pc; }
+
+bool Stepper::hasLine(uint32_t Pc) const {
+  const LineRange *Line = Map.lineAt(Pc);
+  return Line && Line->Position.isKnown();
+}
+
+Stepper::Place Stepper::here() {
+  Place Result;
+  Result.Context = Owner.context(Thread);
+  const Unwinder &Frames = Owner.information().unwinder();
+  Result.Cfa = valueOr(Frames.cfa(Result.Context), 0u);
+  if (auto Caller =
+          valueOr(Frames.caller(Result.Context), std::optional<FrameContext>()))
+    Result.ReturnPc = Caller->Pc;
+  Result.Function = Map.functionAt(Result.Context.Pc);
+  std::vector<InlinedCall> Calls = Map.callsAt(Result.Context.Pc);
+  if (Calls.size() > 1)
+    Result.Inlined = Calls.front().Function;
+  if (const LineRange *Line = Map.lineAt(Result.Context.Pc))
+    Result.Line = Line->Position;
+  return Result;
+}
+
+Stepper::Relation Stepper::relationTo(const Place &Of) {
+  FrameContext Now = Owner.context(Thread);
+  const Unwinder &Frames = Owner.information().unwinder();
+  if (Map.functionAt(Now.Pc) == Of.Function &&
+      valueOr(Frames.cfa(Now), 0u) == Of.Cfa)
+    return Relation::Same;
+  auto Caller = valueOr(Frames.caller(Now), std::optional<FrameContext>());
+  if (Caller && Map.functionAt(Caller->lookupPc()) == Of.Function &&
+      valueOr(Frames.cfa(*Caller), 0u) == Of.Cfa)
+    return Relation::Callee;
+  return Relation::Other;
+}
+
+std::vector<AddressRange> Stepper::rangesOf(const Place &Of) const {
+  if (!Of.Function)
+    return {{Of.Context.Pc, Of.Context.Pc + 4}};
+  const FunctionInfo &In = Map.function(*Of.Function);
+  if (!Of.Line.isKnown())
+    return In.Ranges;
+  std::vector<AddressRange> Ranges =
+      Map.rangesOfLine(Of.Line.File, Of.Line.Line);
+  erase_if(Ranges,
+           [&](const AddressRange &R) { return !In.contains(R.Begin); });
+  // Whoever comes to the entry again has been called.
+  if (Of.Context.Pc != In.Entry)
+    for (AddressRange &R : Ranges)
+      if (R.Begin == In.Entry)
+        R.Begin += 4;
+  return Ranges;
+}
+
+bool Stepper::isInlinedCallee(const Place &Of) const {
+  uint32_t Innermost = Of.Inlined ? *Of.Inlined : Of.Function.value_or(-1);
+  std::vector<InlinedCall> Calls = Map.callsAt(pc());
+  return !Calls.empty() &&
+         any_of(drop_begin(Calls), [&](const InlinedCall &Call) {
+           return Call.Function == Innermost;
+         });
+}
+
+SessionStop Stepper::run(Direction Towards, InstructionEvents Until) {
+  Until.Thread = Thread;
+  return Owner.run(Towards, {std::move(Until)});
+}
+
+SessionStop Stepper::oneInstruction(Direction Towards) {
+  uint64_t Before = Owner.replay().thread(Thread).Instructions;
+  for (;;) {
+    SessionStop Stop = run(Towards, InstructionEvents());
+    // The first event may be the instruction that the thread waits to issue.
+    if (!isDone(Stop) || Owner.replay().thread(Thread).Instructions != Before)
+      return Stop;
+  }
+}
+
+SessionStop Stepper::leave(ArrayRef<AddressRange> Ranges, Direction Towards) {
+  InstructionEvents Outside;
+  Outside.Wanted = [Inside = Ranges.vec()](const Probe &At) {
+    return !contains(Inside, At.Pc);
+  };
+  return run(Towards, std::move(Outside));
+}
+
+SessionStop Stepper::to(uint32_t Pc, std::optional<uint32_t> StackPointer,
+                        Direction Towards) {
+  InstructionEvents There;
+  There.Pcs = {Pc};
+  if (StackPointer)
+    There.Wanted = [StackPointer = *StackPointer](const Probe &At) {
+      return At.Registers[StackPointerRegister] == StackPointer;
+    };
+  return run(Towards, std::move(There));
+}
+
+SessionStop Stepper::returnFromCallee() {
+  FrameContext Now = Owner.context(Thread);
+  return to(Now.Registers.Values[ReturnAddressRegister],
+            Now.Registers.Values[StackPointerRegister], Direction::Forward);
+}
+
+SessionStop Stepper::backToCall() {
+  FrameContext Now = Owner.context(Thread);
+  const Unwinder &Frames = Owner.information().unwinder();
+  auto Caller = valueOr(Frames.caller(Now), std::optional<FrameContext>());
+  if (!Caller)
+    return oneInstruction(Direction::Backward);
+  return to(Caller->lookupPc(), Caller->Registers.Values[StackPointerRegister],
+            Direction::Backward);
+}
+
+SessionStop Stepper::skipPrologue(SessionStop Stop) {
+  std::optional<uint32_t> In = Map.functionAt(pc());
+  if (!In || Map.function(*In).Entry != pc() || Map.function(*In).Body == pc())
+    return Stop;
+  return to(Map.function(*In).Body, std::nullopt, Direction::Forward);
+}
+
+SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
+  Place Start = here();
+  std::vector<AddressRange> Ranges = rangesOf(Start);
+  if (NotBack && Start.Function)
+    Ranges.push_back({Map.function(*Start.Function).Entry, pc() + 4});
+  std::vector<AddressRange> Inside = Ranges;
+  for (;;) {
+    SessionStop Stop = leave(Inside, Direction::Forward);
+    if (!isDone(Stop))
+      return Stop;
+    Relation Where = relationTo(Start);
+    if (Where == Relation::Callee) {
+      std::optional<uint32_t> Callee = Map.functionAt(pc());
+      if (!OverCalls && Callee && hasLine(Map.function(*Callee).Body))
+        return skipPrologue(std::move(Stop));
+      Stop = returnFromCallee();
+      if (!isDone(Stop))
+        return Stop;
+      Where = Relation::Same;
+      if (contains(Ranges, pc())) {
+        Inside = Ranges;
+        continue;
+      }
+    }
+    const LineRange *Line = Map.lineAt(pc());
+    bool IsKnown = Line && Line->Position.isKnown();
+    if (Where == Relation::Same) {
+      bool IsNew = IsKnown && !(Line->Position.File == Start.Line.File &&
+                                Line->Position.Line == Start.Line.Line);
+      if (IsNew && Line->IsStatement && Line->Begin == pc() &&
+          !(OverCalls && isInlinedCallee(Start)))
+        return Stop;
+      Inside = Ranges;
+      if (Line)
+        Inside.push_back({Line->Begin, Line->End});
+      continue;
+    }
+    bool IsTailCall =
+        Start.ReturnPc != 0 &&
+        Owner.context(Thread).Registers.Values[ReturnAddressRegister] ==
+            Start.ReturnPc &&
+        pc() != Start.ReturnPc;
+    if (OverCalls && IsTailCall) {
+      Stop = returnFromCallee();
+      if (!isDone(Stop))
+        return Stop;
+      IsKnown = hasLine(pc());
+    }
+    if (IsKnown)
+      return skipPrologue(std::move(Stop));
+    Start = here();
+    Inside = Ranges = rangesOf(Start);
+  }
+}
+
+SessionStop Stepper::backward(bool OverCalls) {
+  Place Start = here();
+  SessionStop Stop = oneInstruction(Direction::Backward);
+  if (!isDone(Stop))
+    return Stop;
+  if (relationTo(Start) == Relation::Callee && (OverCalls || !hasLine(pc()))) {
+    Stop = backToCall();
+    if (!isDone(Stop))
+      return Stop;
+  }
+  Place Target = here();
+  std::vector<AddressRange> Ranges = rangesOf(Target);
+  std::vector<AddressRange> Inside = Ranges;
+  for (;;) {
+    Stop = leave(Inside, Direction::Backward);
+    if (!isDone(Stop))
+      return Stop;
+    Relation Where = relationTo(Target);
+    if (Where == Relation::Callee) {
+      if (OverCalls || !hasLine(pc())) {
+        Stop = backToCall();
+        if (!isDone(Stop))
+          return Stop;
+        if (contains(Ranges, pc())) {
+          Inside = Ranges;
+          continue;
+        }
+        Where = Relation::Same;
+      } else {
+        Target = here();
+        Inside = Ranges = rangesOf(Target);
+        continue;
+      }
+    }
+    const LineRange *Line = Map.lineAt(pc());
+    bool IsKnown = Line && Line->Position.isKnown();
+    bool IsSameLine = IsKnown && Line->Position.File == Target.Line.File &&
+                      Line->Position.Line == Target.Line.Line;
+    if (Where == Relation::Same && (!IsKnown || IsSameLine) && Line) {
+      Inside = Ranges;
+      Inside.push_back({Line->Begin, Line->End});
+      continue;
+    }
+    if (Where == Relation::Other && IsKnown) {
+      Target = here();
+      Inside = Ranges = rangesOf(Target);
+      continue;
+    }
+    // The beginning of the line is behind the last instruction of another.
+    return Owner.moveByOne(Thread);
+  }
+}
+
+SessionStop Stepper::step(const StepRequest &Request) {
+  bool IsForward = Request.Towards == Direction::Forward;
+  if (Request.Unit == StepRequest::Line && Map.hasLines())
+    return IsForward ? forward(Request.OverCalls, false)
+                     : backward(Request.OverCalls);
+  Place Start = here();
+  SessionStop Stop = oneInstruction(Request.Towards);
+  if (!isDone(Stop) || !Request.OverCalls ||
+      relationTo(Start) != Relation::Callee)
+    return Stop;
+  if (!IsForward)
+    return backToCall();
+  bool IsCall = Owner.context(Thread).Registers.Values[ReturnAddressRegister] ==
+                Start.Context.Pc + 4;
+  return IsCall ? returnFromCallee() : Stop;
+}
+
+SessionStop Stepper::until() { return forward(true, true); }
+
+SessionStop Stepper::leaveInlined(const Frame &Of, Direction Towards) {
+  Place Start;
+  Start.Function = Map.functionAt(Of.Context.lookupPc());
+  Start.Cfa = Of.Cfa;
+  std::vector<AddressRange> Ranges = Map.function(*Of.Function).Ranges;
+  SessionStop Stop;
+  if (!contains(Ranges, pc()) || relationTo(Start) != Relation::Same) {
+    bool IsForward = Towards == Direction::Forward;
+    Stop = to(IsForward ? Of.Context.Pc : Of.Context.lookupPc(),
+              Of.Context.Registers.Values[StackPointerRegister], Towards);
+    if (!isDone(Stop) || !contains(Ranges, pc()))
+      return Stop;
+  }
+  for (;;) {
+    Stop = leave(Ranges, Towards);
+    if (!isDone(Stop) || relationTo(Start) != Relation::Callee)
+      return Stop;
+    Stop = Towards == Direction::Forward ? returnFromCallee() : backToCall();
+    if (!isDone(Stop) || !contains(Ranges, pc()))
+      return Stop;
+  }
+}
+
+std::optional<Value> Stepper::returned(uint32_t Function) {
+  DWARFDie Die = Map.function(Function).Die;
+  if (!Die)
+    return std::nullopt;
+  const Type &Of = Owner.information().types().typeOf(Die);
+  const Type &Plain = Of.stripped();
+  const RegisterSet Registers = Owner.context(Thread).Registers;
+  unsigned First = Plain.Kind == TypeKind::Float && Plain.Size == 4
+                       ? FloatResultRegister
+                       : ResultRegister;
+  bool IsScalar = Plain.isArithmetic() || Plain.isPointer() ||
+                  Plain.isReference() || Plain.Kind == TypeKind::Enumeration;
+  if (!IsScalar || Plain.Size > 8)
+    return std::nullopt;
+  uint8_t Bytes[8];
+  for (unsigned I = 0; I != 2; ++I)
+    support::endian::write32le(Bytes + 4 * I, Registers.Values[First + I]);
+  uint32_t Size = Plain.isReference() ? 4 : Plain.Size;
+  return Value::computed(Of, ArrayRef(Bytes, Size));
+}
+
+Expected<SessionStop> Stepper::finish(const Frame &Of, Direction Towards) {
+  if (Of.Inlined && Of.Function)
+    return leaveInlined(Of, Towards);
+  Expected<std::optional<FrameContext>> Caller =
+      Owner.information().unwinder().caller(Of.Context);
+  if (!Caller)
+    return Caller.takeError();
+  if (!*Caller)
+    return createStringError(
+        "\"finish\" not meaningful in the outermost frame.");
+  uint32_t StackPointer = (*Caller)->Registers.Values[StackPointerRegister];
+  if (Towards == Direction::Backward)
+    return to((*Caller)->lookupPc(), StackPointer, Towards);
+  SessionStop Stop = to((*Caller)->Pc, StackPointer, Towards);
+  if (isDone(Stop) && Of.Function)
+    Stop.Returned = returned(*Of.Function);
+  return Stop;
+}
+
+SessionStop Stepper::advance(const Frame &Of,
+                             ArrayRef<CodeLocation> Locations) {
+  std::vector<InstructionEvents> Ends(1);
+  for (const CodeLocation &Location : Locations)
+    Ends[0].Pcs.push_back(Location.Address);
+  Ends[0].Thread = Thread;
+  auto Caller = valueOr(Owner.information().unwinder().caller(Of.Context),
+                        std::optional<FrameContext>());
+  if (Caller) {
+    InstructionEvents &Return = Ends.emplace_back();
+    Return.Pcs = {Caller->Pc};
+    Return.Thread = Thread;
+    Return.Wanted = [Pointer = Caller->Registers.Values[StackPointerRegister]](
+                        const Probe &At) {
+      return At.Registers[StackPointerRegister] == Pointer;
+    };
+  }
+  return Owner.run(Direction::Forward, std::move(Ends));
+}
+
+} // namespace tp
