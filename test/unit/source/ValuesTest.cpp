@@ -1,0 +1,110 @@
+//===- ValuesTest.cpp - Variables against what the source says -----------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+//
+// test/Debug/values.cpp says behind each call of probe() what its variables are
+// there.
+//
+//===----------------------------------------------------------------------===//
+
+#include "debugger/source/Expression.h"
+#include "test/unit/source/DebuggedProgram.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/MemoryBuffer.h"
+
+#include <gtest/gtest.h>
+#include <map>
+
+using namespace llvm;
+using namespace tp;
+using namespace tp::test;
+
+namespace {
+
+/// What a line says: names with the values of the visits in turn.
+using Claims = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+std::map<unsigned, Claims> readClaims(const std::string &Path) {
+  std::map<unsigned, Claims> Result;
+  auto Text = MemoryBuffer::getFile(Path);
+  EXPECT_TRUE(bool(Text));
+  SmallVector<StringRef> Lines;
+  (*Text)->getBuffer().split(Lines, '\n');
+  for (unsigned I = 0; I != Lines.size(); ++I) {
+    auto [Code, Comment] = Lines[I].split("probe(); // ");
+    for (StringRef Word : split(Comment, ' ')) {
+      auto [Name, Values] = Word.trim().split('=');
+      if (Values.empty())
+        continue;
+      std::vector<std::string> Visits;
+      for (StringRef Value : split(Values, '|'))
+        Visits.push_back(Value.str());
+      Result[I + 1].push_back({Name.str(), Visits});
+    }
+  }
+  return Result;
+}
+
+struct Tally {
+  unsigned Right = 0;
+  unsigned Missing = 0;
+};
+
+Tally checkValues(const std::vector<std::string> &Options) {
+  DebuggedProgram Program("Debug/values.cpp", Options);
+  std::map<unsigned, Claims> Lines =
+      readClaims(std::string(TP_TESTS) + "/Debug/values.cpp");
+  EXPECT_GT(Lines.size(), 25u);
+  std::map<unsigned, unsigned> Visits;
+  Tally Result;
+  Program.runToCallsOf("probe", [&](const FrameContext &Frame) {
+    unsigned Line =
+        Program.map().callsAt(Frame.lookupPc()).front().Position.Line;
+    unsigned Visit = Visits[Line]++;
+    for (const auto &[Name, Values] : Lines[Line]) {
+      Expected<Expression> Parsed =
+          Expression::parse(Name, Program.information(), &Frame);
+      ASSERT_TRUE(bool(Parsed)) << toString(Parsed.takeError());
+      Expected<Value> Found = Parsed->evaluate(Frame);
+      ASSERT_TRUE(bool(Found)) << Name << ": " << toString(Found.takeError());
+      Expected<double> Number = Found->asReal(Frame);
+      if (!Number) {
+        std::string Reason = toString(Number.takeError());
+        EXPECT_EQ(Reason, "the value has been optimized out");
+        ++Result.Missing;
+        continue;
+      }
+      EXPECT_EQ(*Number, std::stod(Values[Visit % Values.size()]))
+          << "line " << Line << ": " << Name;
+      ++Result.Right;
+    }
+  });
+  for (const auto &[Line, Unused] : Lines)
+    EXPECT_TRUE(Visits.count(Line)) << "line " << Line << " is not reached";
+  return Result;
+}
+
+} // namespace
+
+TEST(Values, AreAllAvailableWithoutOptimization) {
+  Tally Result = checkValues({"-O0", "-g"});
+  EXPECT_EQ(Result.Missing, 0u);
+  EXPECT_GE(Result.Right, 140u);
+}
+
+// The figures are those that test/Debug/values.cpp demands.
+TEST(Values, AreRightOrMissingInOptimizedCode) {
+  EXPECT_GE(checkValues({"-O2", "-g"}).Right, 115u);
+  EXPECT_GE(checkValues({"-O3", "-g", "-fno-lto"}).Right, 120u);
+}
+
+TEST(Values, AreThereInOlderVersionsOfDwarf) {
+  for (const char *Version : {"-gdwarf-4", "-gdwarf-3", "-gdwarf-2"}) {
+    Tally Result = checkValues({"-O0", "-g", Version});
+    EXPECT_EQ(Result.Missing, 0u) << Version;
+  }
+}
