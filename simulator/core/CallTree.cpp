@@ -8,7 +8,7 @@
 
 namespace tp {
 
-CallTree::CallTree() : Nodes(MaxNodes), Table(TableSize) {}
+CallTree::CallTree() : Nodes(MaxEdges), Edges(MaxEdges), Table(TableSize) {}
 
 static uint32_t hashOf(const CallTree::Node &Node) {
   uint64_t Hash = (uint64_t(Node.Caller) << 32 | Node.Site) +
@@ -23,9 +23,18 @@ uint32_t CallTree::numberOf(const Node &Wanted) {
     uint32_t Found = Table[Place].load(std::memory_order_acquire);
     if (Found == 0)
       return add(Wanted);
-    if (Nodes[Found - 1] == Wanted)
-      return Found - 1;
+    if (Edges[Found - 1].Called == Wanted)
+      return Edges[Found - 1].Number;
   }
+}
+
+uint32_t CallTree::nodeFor(const Node &Wanted) {
+  for (uint32_t Outer = Wanted.Caller; Outer != NoNode;
+       Outer = Nodes[Outer].Caller)
+    if (Nodes[Outer].Function == Wanted.Function)
+      return Outer;
+  Nodes[Count] = Wanted;
+  return Count++;
 }
 
 uint32_t CallTree::add(const Node &Wanted) {
@@ -33,17 +42,18 @@ uint32_t CallTree::add(const Node &Wanted) {
   uint32_t Place = hashOf(Wanted) % TableSize;
   for (; uint32_t Found = Table[Place].load(std::memory_order_relaxed);
        Place = (Place + 1) % TableSize)
-    if (Nodes[Found - 1] == Wanted)
-      return Found - 1;
+    if (Edges[Found - 1].Called == Wanted)
+      return Edges[Found - 1].Number;
   // The last ones are for functions without a caller.
-  constexpr uint32_t MaxCalled = MaxNodes / 2;
-  if (Count >= MaxCalled && Wanted.Caller != NoNode) {
+  constexpr uint32_t MaxCalled = MaxEdges / 2;
+  if (EdgeCount >= MaxCalled && Wanted.Caller != NoNode) {
     IsCut = true;
     return Wanted.Caller;
   }
-  Nodes[Count] = Wanted;
-  Table[Place].store(++Count, std::memory_order_release);
-  return Count - 1;
+  uint32_t Number = nodeFor(Wanted);
+  Edges[EdgeCount] = {Wanted, Number};
+  Table[Place].store(++EdgeCount, std::memory_order_release);
+  return Number;
 }
 
 } // namespace tp

@@ -31,8 +31,10 @@ public:
 
   CallTree();
 
-  /// The number of a node, which is new if there was none. If there are too
-  /// many it is that of the caller, and isCut() from then on.
+  /// The number of a node, which is new if there was none. Of a function that
+  /// is in its caller's chain already it is the node there: recursion is one
+  /// node. If there are too many nodes it is that of the caller, and isCut()
+  /// from then on.
   uint32_t numberOf(const Node &Wanted);
   const Node &node(uint32_t Number) const { return Nodes[Number]; }
   /// When no host thread asks.
@@ -40,17 +42,26 @@ public:
   bool isCut() const { return IsCut; }
 
 private:
-  static constexpr uint32_t MaxNodes = 1 << 16;
-  static constexpr uint32_t TableSize = 2 * MaxNodes;
+  static constexpr uint32_t MaxEdges = 1 << 16;
+  static constexpr uint32_t TableSize = 2 * MaxEdges;
+
+  /// Who called whom, and the node that this leads to.
+  struct Edge {
+    Node Called;
+    uint32_t Number = NoNode;
+  };
 
   uint32_t add(const Node &Wanted);
+  /// The node of a new edge.
+  uint32_t nodeFor(const Node &Wanted);
 
   std::mutex Mutex;
   std::atomic<bool> IsCut = false;
-  uint32_t Count = 0;
+  uint32_t Count = 0, EdgeCount = 0;
   std::vector<Node> Nodes;
-  /// Hash table of numbers plus 1. An entry never changes once it is not 0, and
-  /// by then its node is there.
+  std::vector<Edge> Edges;
+  /// Hash table of numbers of edges plus 1. An entry never changes once it is
+  /// not 0, and by then edge and node are there.
   std::vector<std::atomic<uint32_t>> Table;
 };
 

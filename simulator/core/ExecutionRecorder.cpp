@@ -60,7 +60,7 @@ void ExecutionRecorder::enter(ThreadCalls &Where,
                               RecorderPart &Part) {
   uint32_t Node = Tree.numberOf(Function);
   Where.Node = Node;
-  if (Node != Function.Caller)
+  if (Tree.node(Node).Function == Function.Function)
     ++Part.countsOf(Node).Calls;
 }
 
@@ -95,16 +95,6 @@ void ExecutionRecorder::jump(ThreadCalls &Where,
   if (Functions.entryOf(Function) != Issued.NextWord &&
       std::ranges::any_of(Where.Stack, IsReturn))
     return comeBack(Where, Issued.NextWord, Part);
-  // Functions that go on in each other in turn are a loop, not a chain.
-  uint32_t CalledBy =
-      Where.Stack.empty() ? CallTree::NoNode : Where.Stack.back().Caller;
-  for (uint32_t Node = Where.Node; Node != CalledBy;
-       Node = Tree.node(Node).Caller)
-    if (Tree.node(Node).Function == Function) {
-      Where.Node = Node;
-      ++Part.countsOf(Node).Calls;
-      return;
-    }
   enter(Where, {Where.Node, Issued.Word, Function}, Part);
 }
 

@@ -15,9 +15,17 @@ namespace tp {
 static symbolize::LLVMSymbolizer::Options options(SourcePaths Paths) {
   using PathKind = DILineInfoSpecifier::FileLineInfoKind;
   symbolize::LLVMSymbolizer::Options Options;
-  Options.PathStyle = Paths == SourcePaths::Absolute
-                          ? PathKind::AbsoluteFilePath
-                          : PathKind::RawValue;
+  switch (Paths) {
+  case SourcePaths::AsCompiled:
+    Options.PathStyle = PathKind::RawValue;
+    break;
+  case SourcePaths::Relative:
+    Options.PathStyle = PathKind::RelativeFilePath;
+    break;
+  case SourcePaths::Absolute:
+    Options.PathStyle = PathKind::AbsoluteFilePath;
+    break;
+  }
   return Options;
 }
 

@@ -31,9 +31,11 @@ struct SourceFrame {
 
 /// How files are named.
 enum class SourcePaths {
-  /// As the compiler was told.
+  /// As the compiler was told, without the directories that it looked in.
   AsCompiled,
-  /// With the directory in which it was.
+  /// With those directories, as far as they are not relative to the one that
+  /// the compiler ran in.
+  Relative,
   Absolute,
 };
 

@@ -71,8 +71,8 @@ struct ProfileInstruction {
   MemoryBehaviour Memory;
 };
 
-/// A function as it was called through one chain of calls. Inlined functions
-/// are in the instructions' frames.
+/// A function as it was called through one chain of calls; recursion is one
+/// node. Inlined functions are in the instructions' frames.
 struct CallNode {
   uint32_t Function = 0;
   /// The caller, always an earlier node; nothing for functions that no call was

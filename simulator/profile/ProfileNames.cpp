@@ -55,8 +55,9 @@ std::string shortName(StringRef Name) {
   for (size_t I = 0; I != Name.size(); ++I) {
     // Not what brackets anything: `operator<`, `operator()`, `->`.
     if (Depth == 0 && Name.substr(I).starts_with("operator")) {
-      size_t End = Name.find_first_of("(", I + sizeof("operator()") - 1);
-      return Short + Name.slice(I, End).str();
+      StringRef Operator = Name.substr(I);
+      size_t Begin = Operator.starts_with("operator()") ? 10 : 8;
+      return Short + Operator.take_front(Operator.find('(', Begin)).str();
     }
     if (Depth == 0 && Name.substr(I).starts_with("(anonymous namespace)")) {
       I += sizeof("(anonymous namespace)") - 2;

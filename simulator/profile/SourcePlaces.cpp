@@ -14,7 +14,7 @@ using namespace llvm;
 namespace tp {
 
 SourcePlaces::SourcePlaces(const ElfProgram &Program, Profile &Result)
-    : Result(Result), Symbols(Program),
+    : Result(Result), Symbols(Program, SourcePaths::Relative),
       AbsolutePaths(Program, SourcePaths::Absolute) {}
 
 std::optional<uint32_t> SourcePlaces::fileOf(const std::string &Path,

@@ -15,7 +15,8 @@
 
 namespace tp {
 
-/// A function of the text as it was called through one chain of calls.
+/// A function of the text as it was called through one chain of calls. One that
+/// was called while it was in its own chain is the function there.
 struct CalledFunction {
   /// Its first word in the text.
   uint32_t Entry = 0;

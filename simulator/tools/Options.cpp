@@ -72,6 +72,12 @@ public:
         return createStringError(Message);
       return Result;
     }
+    readProfile(Result);
+    if (Result.Profile && !Result.Profile->Input.empty()) {
+      if (!Message.empty())
+        return createStringError(Message);
+      return Result;
+    }
     Result.Quiet = Arguments.hasArg(OPT_quiet);
     Result.PrintChip = Arguments.hasArg(OPT_print_chip);
     Result.Chip = Arguments.getLastArgValue(OPT_chip, "report-512x8").str();
@@ -166,6 +172,70 @@ private:
       error("--interval-output '" + Path +
             "': expected a file that ends in .csv or .json");
     exclude(OPT_functional, OPT_interval, "the functional mode has no cycles");
+  }
+
+  /// The path of a file that must be named if the option is given.
+  std::string path(OptionId Id) {
+    const Arg *Argument = Arguments.getLastArg(Id);
+    if (!Argument)
+      return "";
+    if (StringRef(Argument->getValue()).empty())
+      error(Argument->getSpelling().rtrim('=') +
+            " is empty; give it the path of a file");
+    return Argument->getValue();
+  }
+
+  void readProfile(Options &Result) {
+    constexpr OptionId Ids[] = {OPT_profile_sort,       OPT_profile_by,
+                                OPT_profile_rows,       OPT_profile_folded,
+                                OPT_profile_speedscope, OPT_profile_html};
+    bool IsRead = Arguments.hasArg(OPT_read_profile);
+    if (!Arguments.hasArg(OPT_profile, OPT_profile_EQ) && !IsRead) {
+      for (OptionId Id : Ids)
+        if (const Arg *Argument = Arguments.getLastArg(Id))
+          error(Argument->getSpelling().rtrim('=') +
+                " has no meaning without --profile or --read-profile");
+      return;
+    }
+    ProfileRequest &Request = Result.Profile.emplace();
+    Request.Input = path(OPT_read_profile);
+    Request.Output = path(OPT_profile_EQ);
+    Request.FoldedOutput = path(OPT_profile_folded);
+    Request.SpeedscopeOutput = path(OPT_profile_speedscope);
+    Request.HtmlOutput = path(OPT_profile_html);
+    readProfileTable(Request.Table);
+    if (IsRead)
+      for (const Arg *Argument : Arguments)
+        if (!Argument->getOption().matches(OPT_read_profile) &&
+            none_of(Ids, [&](OptionId Id) {
+              return Argument->getOption().matches(Id);
+            }))
+          error(Argument->getAsString(Arguments) +
+                " has no meaning with --read-profile, which runs nothing");
+    for (OptionId Profile : {OPT_profile, OPT_profile_EQ}) {
+      exclude(Profile, OPT_functional, "the functional mode has no cycles");
+      for (OptionId Id : {OPT_regions, OPT_checkpoint, OPT_restore})
+        exclude(Profile, Id, "a profile is of a whole run");
+    }
+  }
+
+  void readProfileTable(ProfileTableOptions &Table) {
+    Table.MaxRows = number(OPT_profile_rows, 1, UINT32_MAX, Table.MaxRows);
+    if (const Arg *Argument = Arguments.getLastArg(OPT_profile_by)) {
+      std::optional<ProfileRows> Rows = findProfileRows(Argument->getValue());
+      if (!Rows)
+        error(Twine("--profile-by '") + Argument->getValue() +
+              "': expected line, function, path or instruction");
+      Table.Rows = Rows.value_or(Table.Rows);
+    }
+    if (const Arg *Argument = Arguments.getLastArg(OPT_profile_sort)) {
+      std::optional<ProfileOrder> Order =
+          findProfileOrder(Argument->getValue());
+      if (!Order)
+        error(Twine("--profile-sort '") + Argument->getValue() +
+              "': expected one of " + join(profileOrderNames(), ", "));
+      Table.Order = Order.value_or(Table.Order);
+    }
   }
 
   /// Whether the engine is the one that generates code.

@@ -9,6 +9,7 @@
 
 #include "kernels/common/LaunchSetup.h"
 #include "kernels/profile/DeletionRecorder.h"
+#include "simulator/profile/ProfileTable.h"
 #include "simulator/tools/MemoryDump.h"
 
 #include "llvm/ADT/ArrayRef.h"
@@ -42,6 +43,18 @@ struct ComparisonRequest {
   unsigned Rows = 10;
 };
 
+/// What to make of a profile, of the run at hand or one that was written.
+struct ProfileRequest {
+  /// The profile to read instead of running anything; empty: none.
+  std::string Input;
+  /// JSON, folded stacks, speedscope and HTML files; empty: none.
+  std::string Output;
+  std::string FoldedOutput;
+  std::string SpeedscopeOutput;
+  std::string HtmlOutput;
+  ProfileTableOptions Table;
+};
+
 /// What the user asked for.
 struct Options {
   bool Help = false;
@@ -51,6 +64,7 @@ struct Options {
   bool PrintChipSchema = false;
   /// Then there is no run.
   std::optional<ComparisonRequest> Comparison;
+  std::optional<ProfileRequest> Profile;
   std::string Program;
   std::vector<std::string> ProgramArguments;
   std::string Chip;

@@ -48,6 +48,25 @@ defm interval : LongValue<"interval", "<n>",
                       "Length of an interval of the series in cycles">;
 defm interval_output : LongValue<"interval-output", "<file.csv|file.json>",
                              "Write a series of intervals; JSON is a trace for Perfetto">;
+def profile : LongFlag<"profile",
+                      "Print where the cycles went, by source line">;
+def profile_EQ : Option<["--"], "profile=", KIND_JOINED>,
+                 MetaVarName<"<file>">,
+                 HelpText<"Likewise, and write the profile as JSON">;
+defm profile_sort : LongValue<"profile-sort", "<key>",
+                          "What the table is sorted by (default: cycles)">;
+defm profile_by : LongValue<"profile-by", "<line|function|path|instruction>",
+                        "What the rows of the table are (default: line)">;
+defm profile_rows : LongValue<"profile-rows", "<n>",
+                          "How many rows the table has (default: 16)">;
+defm profile_folded : LongValue<"profile-folded", "<file>",
+                            "Write cycles by stack for flame graphs">;
+defm profile_speedscope : LongValue<"profile-speedscope", "<file>",
+                                "Write cycles by stack for speedscope">;
+defm profile_html : LongValue<"profile-html", "<file.html>",
+                          "Write a report to look at in a browser">;
+defm read_profile : LongValue<"read-profile", "<file>",
+                          "Show a profile that was written, run nothing">;
 def compare : LongFlag<"compare",
                        "Compare two runs: tpsim --compare before.json after.json,"
                        " which --stats or --profile has written">;

@@ -88,7 +88,7 @@ makeRayProfiler(const Options &Request, const ChipConfig &Chip) {
   bool IsSaved =
       !Request.CheckpointOutput.empty() || !Request.RestoreInput.empty();
   if (Request.CacheTraceOutput.empty() && Request.Quiet &&
-      Request.StatisticsOutput.empty() && !IsSaved)
+      Request.StatisticsOutput.empty() && !Request.Profile && !IsSaved)
     return nullptr;
   auto Rays = std::make_unique<RayProfiler>(Chip.threadCount());
   if (!Request.CacheTraceOutput.empty()) {

@@ -15,6 +15,8 @@
 #include "simulator/tools/FunctionalRun.h"
 #include "simulator/tools/Interrupt.h"
 #include "simulator/tools/IntervalTask.h"
+#include "simulator/tools/ProfileOutputs.h"
+#include "simulator/tools/ProfileTask.h"
 #include "simulator/tools/RegionTask.h"
 #include "simulator/tools/RunLoop.h"
 #include "simulator/tools/RunResults.h"
@@ -37,11 +39,12 @@ struct RunTasks {
   std::unique_ptr<CheckpointTask> Checkpoints;
   std::unique_ptr<RegionTask> Regions;
   std::unique_ptr<IntervalTask> Intervals;
+  std::unique_ptr<ProfileTask> Profile;
 
   SmallVector<RunTask *> all() const {
     SmallVector<RunTask *> Tasks;
     for (RunTask *Task : std::initializer_list<RunTask *>{
-             Checkpoints.get(), Regions.get(), Intervals.get()})
+             Checkpoints.get(), Regions.get(), Intervals.get(), Profile.get()})
       if (Task)
         Tasks.push_back(Task);
     return Tasks;
@@ -61,6 +64,15 @@ static RunTasks makeTasks(const Options &Request, const ChipConfig &Chip,
         Request, Chip, Loaded, Console, std::move(Others));
   }
   return Tasks;
+}
+
+/// Writes the profile's files and table.
+static llvm::Error writeProfile(const Profile &Data, const Options &Request) {
+  if (!Request.Quiet) {
+    errs() << '\n';
+    writeProfileTable(Data, Request.Profile->Table, errs());
+  }
+  return writeProfileFiles(Data, *Request.Profile);
 }
 
 /// Writes the results of a run that has ended.
@@ -85,6 +97,8 @@ static Expected<int> report(const RunResult &Result, const Options &Request,
   Note(checkSums(Chip, Stats, Run.Opcodes));
   if (!Request.Quiet)
     writeTable(Run, Speed, errs());
+  if (Tasks.Profile)
+    Note(writeProfile(Tasks.Profile->finish(Run), Request));
   explainEnd(Result, Request, Chip, Loaded.Elf, TrapClock::Cycles,
              [&](unsigned Register) {
                return Machine.registerOf(Result.TrapInfo->Thread, Register);
@@ -129,6 +143,9 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   if (!Machine.error().empty())
     return createStringError(Machine.error());
   Machine.setHostThreads(Request.HostThreads);
+  std::unique_ptr<ProfileTask> Profiling;
+  if (Request.Profile)
+    Profiling = std::make_unique<ProfileTask>(Chip, Loaded, Machine);
   if (Request.GenerateCode) {
     Expected<std::unique_ptr<CodeGenerator>> Generator = makeJit();
     if (!Generator)
@@ -139,6 +156,7 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
       [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
   RunTasks Tasks = makeTasks(Request, Chip, Loaded, Console);
+  Tasks.Profile = std::move(Profiling);
   if (!Request.RestoreInput.empty()) {
     if (llvm::Error E = Tasks.Checkpoints->restore(Machine))
       return E;
