@@ -12,7 +12,7 @@ packages=(
   llvm-22 libtinygltf-dev libpng-dev python3
   # Tests
   llvm-22-tools libgtest-dev libgmock-dev libembree-dev csmith libcsmith-dev
-  libclang-rt-22-dev gcc g++ make python3-jsonschema clangd-22 dpkg-dev chromium
+  libclang-rt-22-dev lld-22 gcc g++ make file python3-jsonschema clangd-22 dpkg-dev chromium
   "$@"
 )
 # Node.js comes with npm from some places, from Debian without.
