@@ -92,7 +92,7 @@ void Reports::writeSide(const ReportSide &Side) {
     for (const SourceFrame &Place : Places)
       OS << "    #" << Number++ << ' ' << Symbolizer::describe(Place) << '\n';
     if (Places.empty())
-      OS << "    #" << Number++ << ' ' << Address << '\n';
+      OS << "    #" << Number++ << " pc " << format_hex(Pc, 10) << '\n';
   }
 }
 

@@ -32,7 +32,8 @@ Expected<Suppressions> Suppressions::read(StringRef Path) {
       return createStringError(
           Place + ": '" + Check +
           "' is no checker; expected <checker>:<function> with " +
-          join(CheckerNames, ", ") + " or *");
+          join(std::begin(CheckerNames), std::end(CheckerNames), ", ") +
+          " or *");
     if (Function.empty())
       return createStringError(Place + ": expected <checker>:<function>");
     Expected<GlobPattern> Pattern = GlobPattern::create(Function);

@@ -18,13 +18,21 @@
 // each other. Its words are 0 until then, so that a block's header is made by
 // an atomic addition, too: the neighbour before it may have become free.
 //
+// tpsim --check hears of every block, and may ask for room behind blocks and
+// that what is given back is not used again at once: then it retires first.
+//
 //===----------------------------------------------------------------------===//
 
 #include "runtime/lib/crt/SpinLock.h"
+#include "tp/check.h"
 #include "tp/launch.h"
 #include "tp/memory.h"
 #include <stdlib.h>
 #include <string.h>
+
+extern "C" {
+__attribute__((used)) tp::HeapCheckSettings __tp_heap_checks = {};
+}
 
 namespace tp {
 
@@ -44,6 +52,8 @@ struct __attribute__((may_alias)) Block {
 
 constexpr uint32_t InUse = 1;
 constexpr uint32_t PreviousIsFree = 2;
+/// In use, but the program has given it back.
+constexpr uint32_t IsRetired = 4;
 constexpr uint32_t TagBits = 7;
 
 constexpr uint32_t Granule = 8;
@@ -63,6 +73,10 @@ Block *FreeLists[NumClasses];
 /// that is not 0.
 uint32_t FreeClasses[NumClasses / 32 + 1];
 uint32_t FreeWords = 0;
+/// The retired blocks by age, linked by Next, and their bytes.
+Block *OldestRetired = nullptr;
+Block *YoungestRetired = nullptr;
+uint32_t RetiredBytes = 0;
 /// Of the free range.
 uint32_t UsedBytes = 0;
 
@@ -85,6 +99,7 @@ Block *blockOf(void *Memory) {
 
 /// Bytes of a block with \p Bytes of memory for the program.
 uint32_t blockBytes(uint32_t Bytes) {
+  Bytes += __tp_heap_checks.PaddingBytes;
   uint32_t Total = (Bytes + HeaderBytes + Granule - 1) & ~(Granule - 1);
   return Total < MinBytes ? MinBytes : Total;
 }
@@ -166,6 +181,27 @@ void release(Block *B) {
   B->Tag = Bytes | Flags;
   lastWord(B) = Bytes;
   addToList(B);
+}
+
+/// Makes \p B unused, and free those that have been so for long enough.
+void retire(Block *B) {
+  B->Tag |= IsRetired;
+  B->Next = nullptr;
+  if (YoungestRetired)
+    YoungestRetired->Next = B;
+  else
+    OldestRetired = B;
+  YoungestRetired = B;
+  RetiredBytes += bytesOf(B);
+  while (RetiredBytes > __tp_heap_checks.RetiredBytes) {
+    Block *Oldest = OldestRetired;
+    OldestRetired = Oldest->Next;
+    if (!OldestRetired)
+      YoungestRetired = nullptr;
+    RetiredBytes -= bytesOf(Oldest);
+    Oldest->Tag &= ~IsRetired;
+    release(Oldest);
+  }
 }
 
 /// Cuts \p B, which is in use, down to \p Bytes if the rest makes a block.
@@ -288,15 +324,25 @@ extern "C" {
 void *malloc(size_t Bytes) {
   if (Bytes > MaxBytes)
     return nullptr;
+  allocatorEntered(Bytes);
   Block *B = allocate(blockBytes(Bytes));
-  return B ? memoryOf(B) : nullptr;
+  return allocated(B ? memoryOf(B) : nullptr);
 }
 
 void free(void *Memory) {
   if (!Memory)
     return;
-  LockGuard Guard(HeapLock);
-  release(checkedBlock(Memory));
+  freeing(Memory);
+  allocatorEntered(0);
+  {
+    LockGuard Guard(HeapLock);
+    Block *B = checkedBlock(Memory);
+    if (__tp_heap_checks.RetiredBytes != 0)
+      retire(B);
+    else
+      release(B);
+  }
+  allocatorLeft();
 }
 
 void *calloc(size_t Count, size_t Bytes) {
@@ -312,6 +358,7 @@ void *realloc(void *Memory, size_t Bytes) {
     return malloc(Bytes);
   if (Bytes > MaxBytes)
     return nullptr;
+  allocatorEntered(Bytes);
   Block *B = checkedBlock(Memory);
   uint32_t Old = bytesOf(B), New = blockBytes(Bytes);
   if (New <= Old) {
@@ -319,15 +366,16 @@ void *realloc(void *Memory, size_t Bytes) {
       LockGuard Guard(HeapLock);
       trim(B, New);
     }
-    return Memory;
+    return resized(Memory);
   }
   if (grow(B, New))
-    return Memory;
+    return resized(Memory);
   void *Copy = malloc(Bytes);
-  if (!Copy)
-    return nullptr;
-  memcpy(Copy, Memory, Old - HeaderBytes);
-  free(Memory);
+  if (Copy) {
+    memcpy(Copy, Memory, Old - HeaderBytes);
+    free(Memory);
+  }
+  allocatorLeft();
   return Copy;
 }
 
@@ -338,26 +386,29 @@ void *aligned_alloc(size_t Alignment, size_t Bytes) {
     return malloc(Bytes);
   if (Bytes > MaxBytes || Alignment > MaxBytes)
     return nullptr;
+  allocatorEntered(Bytes);
   // Room for a block of its own before the aligned address.
   uint32_t Needed = blockBytes(Bytes);
   Block *B = allocate(Needed + Alignment + MinBytes);
   if (!B)
-    return nullptr;
+    return allocated(nullptr);
   uint32_t Address = deviceAddress(memoryOf(B));
   uint32_t Aligned = (Address + Alignment - 1) & ~(Alignment - 1);
   uint32_t Before = Aligned - Address;
   if (Before != 0 && Before < MinBytes)
     Before += Alignment;
-  LockGuard Guard(HeapLock);
-  if (Before != 0) {
-    Block *Front = B;
-    B = devicePointer<Block>(deviceAddress(Front) + Before);
-    B->Tag = (bytesOf(Front) - Before) | InUse;
-    Front->Tag -= bytesOf(B);
-    release(Front);
+  {
+    LockGuard Guard(HeapLock);
+    if (Before != 0) {
+      Block *Front = B;
+      B = devicePointer<Block>(deviceAddress(Front) + Before);
+      B->Tag = (bytesOf(Front) - Before) | InUse;
+      Front->Tag -= bytesOf(B);
+      release(Front);
+    }
+    trim(B, Needed);
   }
-  trim(B, Needed);
-  return memoryOf(B);
+  return allocated(memoryOf(B));
 }
 
 } // extern "C"

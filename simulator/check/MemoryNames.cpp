@@ -1,0 +1,53 @@
+//===- MemoryNames.cpp - What lies where in global memory -----------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/check/MemoryNames.h"
+
+#include "llvm/Demangle/Demangle.h"
+#include "llvm/Object/ELFObjectFile.h"
+
+#include <iterator>
+
+using namespace llvm;
+
+namespace tp {
+
+MemoryNames::MemoryNames(const ElfProgram &Program) {
+  for (object::SymbolRef Symbol : Program.object().symbols()) {
+    object::ELFSymbolRef Variable(Symbol);
+    if (Variable.getELFType() != ELF::STT_OBJECT || Variable.getSize() == 0)
+      continue;
+    Expected<StringRef> Name = Symbol.getName();
+    Expected<uint64_t> Address = Symbol.getAddress();
+    if (Name && Address)
+      add(uint32_t(*Address), Variable.getSize(), "'" + demangle(*Name) + "'");
+    consumeError(Name.takeError());
+    consumeError(Address.takeError());
+  }
+}
+
+void MemoryNames::add(uint32_t Address, uint64_t Bytes, std::string Name) {
+  Objects[Address] = {Bytes, std::move(Name)};
+}
+
+std::optional<std::string> MemoryNames::describe(uint32_t Address) const {
+  auto Behind = Objects.upper_bound(Address);
+  if (Behind == Objects.begin())
+    return std::nullopt;
+  const auto &[Begin, Found] = *std::prev(Behind);
+  uint32_t Offset = Address - Begin;
+  // Farther away it is none of the object's business.
+  constexpr uint32_t MaxBehind = 64;
+  if (Offset >= Found.Bytes + MaxBehind)
+    return std::nullopt;
+  bool IsBehind = Offset >= Found.Bytes;
+  uint64_t Distance = IsBehind ? Offset - Found.Bytes : Offset;
+  return std::to_string(Distance) + (Distance == 1 ? " byte " : " bytes ") +
+         (IsBehind ? "behind " : "into ") + Found.Name + " of " +
+         std::to_string(Found.Bytes) + " bytes";
+}
+
+} // namespace tp

@@ -1,0 +1,42 @@
+//===- MemoryNames.h - What lies where in global memory ---------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_CHECK_MEMORYNAMES_H
+#define TP_SIMULATOR_CHECK_MEMORYNAMES_H
+
+#include "simulator/loader/ElfProgram.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace tp {
+
+/// The program's globals and the parts of its launch by address.
+class MemoryNames {
+public:
+  /// The variables in the symbol table of \p Program.
+  explicit MemoryNames(const ElfProgram &Program);
+
+  /// \p Name as in "8 bytes behind the framebuffer".
+  void add(uint32_t Address, uint64_t Bytes, std::string Name);
+
+  /// Where \p Address lies in, or right behind, a known object; nothing if
+  /// there is none.
+  std::optional<std::string> describe(uint32_t Address) const;
+
+private:
+  struct Object {
+    uint64_t Bytes;
+    std::string Name;
+  };
+  std::map<uint32_t, Object> Objects;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_CHECK_MEMORYNAMES_H

@@ -1,0 +1,44 @@
+//===- ThreadShadow.cpp - What the checks know of a thread ----------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/check/ThreadShadow.h"
+
+#include <iterator>
+
+namespace tp {
+
+std::string StackObject::describe(uint32_t Address) const {
+  bool IsBefore = Address < Begin, IsBehind = Address - Begin >= Bytes;
+  uint32_t Distance = IsBefore   ? Begin - Address
+                      : IsBehind ? Address - Begin - Bytes
+                                 : Address - Begin;
+  return std::to_string(Distance) + (Distance == 1 ? " byte " : " bytes ") +
+         (IsBefore   ? "before"
+          : IsBehind ? "behind"
+                     : "into") +
+         " '" + Name + "' of " + std::to_string(Bytes) + " bytes on the stack";
+}
+
+const StackObject *ThreadShadow::nearestObject(uint32_t Address) const {
+  auto Behind = Objects.upper_bound(Address);
+  if (Behind == Objects.begin())
+    return Behind == Objects.end() ? nullptr : &Behind->second;
+  const StackObject &Before = std::prev(Behind)->second;
+  if (Behind == Objects.end() || Address - Before.Begin < Before.Bytes)
+    return &Before;
+  uint32_t Distance = Address - Before.Begin - Before.Bytes;
+  return Distance <= Behind->first - Address ? &Before : &Behind->second;
+}
+
+void ThreadShadow::forgetObjects(uint32_t Begin, uint32_t End) {
+  if (Objects.empty())
+    return;
+  Local->setAccess(Begin & ~(AccessGranule - 1),
+                   End - (Begin & ~(AccessGranule - 1)), Access::All);
+  Objects.erase(Objects.lower_bound(Begin), Objects.lower_bound(End));
+}
+
+} // namespace tp
