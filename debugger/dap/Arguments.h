@@ -15,6 +15,7 @@
 #include "llvm/Support/Error.h"
 #include "llvm/Support/JSON.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,21 @@ struct InitializeArguments {
   bool SupportsMemoryEvent = false;
   bool SupportsInvalidatedEvent = false;
   bool SupportsProgressReporting = false;
+
+  /// A line of the client's, counted from 1.
+  uint32_t line(int64_t Clients) const {
+    return uint32_t(std::max<int64_t>(Clients + !LinesStartAt1, 0));
+  }
+  /// Likewise a column.
+  uint32_t column(int64_t Clients) const {
+    return uint32_t(std::max<int64_t>(Clients + !ColumnsStartAt1, 0));
+  }
+  int64_t lineForClient(uint32_t Line) const {
+    return int64_t(Line) - !LinesStartAt1;
+  }
+  int64_t columnForClient(uint32_t Column) const {
+    return std::max<int64_t>(Column, 1) - !ColumnsStartAt1;
+  }
 };
 
 struct SourceArgument {

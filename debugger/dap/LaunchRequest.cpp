@@ -103,6 +103,10 @@ private:
       return readText(Name, Value, Result.Folder);
     if (Name == "stopOnEntry")
       return readFlag(Name, Value, Result.StopOnEntry);
+    if (Name == "stopAtEnd")
+      return readFlag(Name, Value, Result.StopAtEnd);
+    if (Name == "threadList")
+      return readThreadList(Value);
     if (Name == "noDebug")
       return readFlag(Name, Value, Result.NoDebug);
     if (Name == "args")
@@ -138,6 +142,13 @@ private:
         return wrongAttribute("args", "a list of strings");
       ProgramArguments.push_back(*Text);
     }
+    return Error::success();
+  }
+
+  Error readThreadList(const json::Value &Value) {
+    if (Value != "all" && Value != "grouped")
+      return wrongAttribute("threadList", "'all' or 'grouped'");
+    Result.GroupThreads = Value == "grouped";
     return Error::success();
   }
 

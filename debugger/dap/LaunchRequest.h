@@ -10,6 +10,7 @@
 #include "llvm/Support/Error.h"
 #include "llvm/Support/JSON.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,10 @@ struct LaunchRequest {
   /// Where relative paths begin; empty: where tpdbg was started.
   std::string Folder;
   bool StopOnEntry = false;
+  /// Stand at the end of the run, so that time can run back.
+  bool StopAtEnd = false;
+  /// List a thread for each place; nothing: if there are many.
+  std::optional<bool> GroupThreads;
   /// Run without breakpoints.
   bool NoDebug = false;
   /// Prefixes of source paths, each with what stands there instead.

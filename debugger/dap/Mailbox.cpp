@@ -36,6 +36,14 @@ bool Mailbox::waiting() {
   return Ended || !Queue.empty();
 }
 
+void Mailbox::announceWaiting() {
+  std::lock_guard Lock(Mutex);
+  for (const Request &Waiting : Queue)
+    Arrived(&Waiting);
+  if (Ended)
+    Arrived(nullptr);
+}
+
 bool Mailbox::currentCancelled() {
   std::lock_guard Lock(Mutex);
   return Cancelled;

@@ -38,6 +38,9 @@ public:
   /// Is a request waiting?
   bool waiting();
 
+  /// Tells once more what is waiting, as if it came now.
+  void announceWaiting();
+
   /// Did the client cancel the current request?
   bool currentCancelled();
 

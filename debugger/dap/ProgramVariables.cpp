@@ -7,6 +7,7 @@
 #include "debugger/dap/ProgramVariables.h"
 
 #include "debugger/source/Children.h"
+#include "debugger/source/Expression.h"
 
 #include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/StringExtras.h"
@@ -27,14 +28,16 @@ public:
   ValueParts(ScopePointer Scope, tp::Value Of, std::string Expression,
              bool ByPointer)
       : Scope(std::move(Scope)), Of(std::move(Of)),
-        Expression(std::move(Expression)), ByPointer(ByPointer) {}
-
-  uint32_t count() const override { return childCount(Of); }
-
-  bool isIndexed() const override {
-    TypeKind Kind = Of.type().stripped().Kind;
-    return Kind == TypeKind::Array || Kind == TypeKind::Vector;
+        Expression(std::move(Expression)), ByPointer(ByPointer) {
+    Expected<std::optional<Sequence>> Elements =
+        elementsOf(this->Of, this->Scope->Frame);
+    HasElements = Elements && Elements->has_value();
+    consumeError(Elements.takeError());
   }
+
+  uint32_t count() const override { return childCount(Of, Scope->Frame); }
+
+  bool isIndexed() const override { return HasElements; }
 
   Expected<std::vector<VariableRow>> rows(uint32_t First, uint32_t Count,
                                           ValueFormat Format) const override {
@@ -54,6 +57,7 @@ private:
   tp::Value Of;
   std::string Expression;
   bool ByPointer;
+  bool HasElements;
 
   std::string expressionOf(const NamedValue &Part) const {
     if (isIndexed())
@@ -93,13 +97,25 @@ std::shared_ptr<VariableList> partsOf(ScopePointer Scope, const tp::Value &Of,
       ByPointer = true;
     }
   }
-  if (childCount(Whole) == 0)
+  if (childCount(Whole, Scope->Frame) == 0)
     return nullptr;
   return std::make_shared<ValueParts>(Scope, Whole, Expression.str(),
                                       ByPointer);
 }
 
 } // namespace
+
+Expected<tp::Value> evaluateIn(const SourceScope &Scope, StringRef Expression,
+                               Effects Allowed) {
+  Expected<tp::Expression> Parsed =
+      tp::Expression::parse(Expression, *Scope.Information, &Scope.Frame);
+  if (!Parsed)
+    return Parsed.takeError();
+  if (Allowed == Effects::Forbidden && Parsed->hasEffects())
+    return createStringError("'" + Expression +
+                             "' would change the program; use the console");
+  return Parsed->evaluate(Scope.Frame);
+}
 
 VariableRow sourceRow(ScopePointer Scope, StringRef Name, const tp::Value &Of,
                       std::string Expression, ValueFormat Format) {

@@ -19,6 +19,14 @@ struct SourceScope {
   FrameContext Frame;
 };
 
+/// Whether an expression may change the program.
+enum class Effects { Forbidden, Allowed };
+
+/// The value of an expression.
+llvm::Expected<tp::Value> evaluateIn(const SourceScope &Scope,
+                                     llvm::StringRef Expression,
+                                     Effects Allowed);
+
 /// A value as a row with its parts. \p Expression gives it again.
 VariableRow sourceRow(std::shared_ptr<const SourceScope> Scope,
                       llvm::StringRef Name, const tp::Value &Of,

@@ -33,37 +33,19 @@ Expected<FramePlace> VariableStore::frame(int64_t Number) const {
   return Frames[Number - FirstFrame];
 }
 
-int64_t VariableStore::list(std::shared_ptr<VariableList> List) {
+int64_t VariableStore::list(std::shared_ptr<VariableList> List,
+                            FramePlace Place) {
   if (!List)
     return 0;
-  Lists.push_back(std::move(List));
+  Lists.push_back({std::move(List), Place});
   return FirstList + int64_t(Lists.size()) - 1;
 }
 
-Expected<std::shared_ptr<VariableList>>
-VariableStore::list(int64_t Number) const {
+Expected<KeptList> VariableStore::list(int64_t Number) const {
   if (Number < FirstList || Number >= FirstList + int64_t(Lists.size()))
     return createStringError("there are no variables " + Twine(Number) +
                              " at this stop; ask for the scopes again");
   return Lists[Number - FirstList];
-}
-
-json::Object VariableStore::describe(const VariableRow &Row,
-                                     StringLiteral ValueName,
-                                     StringRef MemoryReference) {
-  json::Object Result{{ValueName, json::fixUTF8(Row.Value)},
-                      {"variablesReference", list(Row.Parts)}};
-  if (!Row.Type.empty())
-    Result["type"] = Row.Type;
-  if (Row.Parts)
-    Result[Row.Parts->isIndexed() ? "indexedVariables" : "namedVariables"] =
-        Row.Parts->count();
-  if (!MemoryReference.empty())
-    Result["memoryReference"] = MemoryReference;
-  if (Row.IsReadOnly)
-    Result["presentationHint"] =
-        json::Object{{"attributes", json::Array{"readOnly"}}};
-  return Result;
 }
 
 } // namespace tp::dap

@@ -10,8 +10,6 @@
 #include "debugger/dap/VariableList.h"
 #include "debugger/source/Frames.h"
 
-#include "llvm/Support/JSON.h"
-
 #include <map>
 #include <memory>
 #include <vector>
@@ -26,6 +24,12 @@ struct FramePlace {
   auto operator<=>(const FramePlace &) const = default;
 };
 
+/// A list of variables and the frame that they are of.
+struct KeptList {
+  std::shared_ptr<VariableList> List;
+  FramePlace Place;
+};
+
 /// The numbers by which a client names frames and lists of variables; they
 /// mean nothing after the program has moved.
 class VariableStore {
@@ -37,19 +41,13 @@ public:
   llvm::Expected<FramePlace> frame(int64_t Number) const;
 
   /// 0 for no list.
-  int64_t list(std::shared_ptr<VariableList> List);
-  llvm::Expected<std::shared_ptr<VariableList>> list(int64_t Number) const;
-
-  /// A row as the protocol has it: what evaluate answers has `result` where
-  /// variables have `value`. \p Memory turns an address into a reference.
-  llvm::json::Object describe(const VariableRow &Row,
-                              llvm::StringLiteral ValueName,
-                              llvm::StringRef MemoryReference);
+  int64_t list(std::shared_ptr<VariableList> List, FramePlace Place);
+  llvm::Expected<KeptList> list(int64_t Number) const;
 
 private:
   std::vector<FramePlace> Frames;
   std::map<FramePlace, int64_t> FrameNumbers;
-  std::vector<std::shared_ptr<VariableList>> Lists;
+  std::vector<KeptList> Lists;
   /// Numbers go on over stops, so that an old one is found out.
   int64_t FirstFrame = 1;
   int64_t FirstList = 1;
