@@ -9,16 +9,19 @@
 #include "simulator/functional/FunctionalText.h"
 #include "simulator/loader/ElfProgram.h"
 
+#include <algorithm>
+
 namespace tp {
 
-RaceChecks::RaceChecks(const ElfProgram &Program, const ChipConfig &Chip,
-                       Reports &Found)
-    : TextBegin(Program.text().Address),
-      Flags(Program.text().Contents.size() / 4), Found(Found),
-      Stacks(Chip.threadCount()), Sites(uint32_t(Flags.size())),
+static constexpr const char Kind[] = "data-race";
+
+RaceChecks::RaceChecks(CheckedProgram &Checked, const ChipConfig &Chip)
+    : Checked(Checked), TextBegin(Checked.Elf.text().Address),
+      Flags(Checked.Elf.text().Contents.size() / 4), Stacks(Chip.threadCount()),
+      Sites(uint32_t(Flags.size())),
       Detector(Chip.threadCount(), Chip.MemoryBytes,
                [this](const Race &R) { report(R); }) {
-  for (const AtomicAccess &A : Program.atomicAccesses())
+  for (const AtomicAccess &A : Checked.Elf.atomicAccesses())
     Flags[(A.Address - TextBegin) / 4] =
         uint8_t(Atomic | (A.Acquires ? Acquires : 0) |
                 (A.IsPartOfWord ? PartOfWord : 0));
@@ -70,26 +73,46 @@ static const char *describe(AccessKind Kind) {
 ReportSide RaceChecks::side(const RacingAccess &Access) const {
   const AccessPlace Place = Sites.place(Access.Site);
   return {describe(Access.Kind), Access.Thread,
-          Contexts.stackAt(Place.Pc, Place.Context)};
+          Checked.Contexts.stackAt(Place.Pc, Place.Context)};
 }
 
-void RaceChecks::report(const Race &R) {
-  static constexpr const char Kind[] = "data-race";
+static bool writes(const RacingAccess &Access) {
+  return Access.Kind == AccessKind::Write ||
+         Access.Kind == AccessKind::AtomicWrite;
+}
+
+bool RaceChecks::isNews(const Race &R) {
   const uint32_t Earlier = Sites.place(R.Earlier.Site).Pc;
   const uint32_t Later = Sites.place(R.Later.Site).Pc;
   // Which of the two comes first may differ from race to race.
-  if (!Found.isNew(Kind, std::min(Earlier, Later), std::max(Earlier, Later)))
+  auto [Low, High] = std::minmax(Earlier, Later);
+  if (!Checked.Found.isNew(Kind, Low, High))
+    return false;
+  const bool LowWrites = writes(Low == Earlier ? R.Earlier : R.Later);
+  const std::vector<SourceFrame> &Writer =
+      Checked.Found.frames(LowWrites ? Low : High);
+  const std::vector<SourceFrame> &Other =
+      Checked.Found.frames(LowWrites ? High : Low);
+  if (Writer.empty() || Other.empty())
+    return true;
+  return Causes.insert({Writer[0].File, Writer[0].Line, Other[0].Function})
+      .second;
+}
+
+void RaceChecks::report(const Race &R) {
+  if (!isNews(R))
     return;
   Report Result;
   Result.Check = "race";
   Result.Kind = Kind;
-  Result.Title = std::string("data race: ") + describe(R.Later.Kind) + " and " +
+  Result.Title = std::string(describe(R.Later.Kind)) + " and " +
                  describe(R.Earlier.Kind) +
                  " by two threads that no barrier or atomic operation orders";
   Result.Address = R.Address;
   Result.Bytes = 1;
+  Result.Object = Checked.Names.describe(R.Address).value_or("");
   Result.Sides = {side(R.Later), side(R.Earlier)};
-  Found.add(Result);
+  Checked.Found.add(Result);
 }
 
 } // namespace tp

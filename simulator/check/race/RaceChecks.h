@@ -7,13 +7,14 @@
 #ifndef TP_SIMULATOR_CHECK_RACE_RACECHECKS_H
 #define TP_SIMULATOR_CHECK_RACE_RACECHECKS_H
 
-#include "simulator/check/CallContexts.h"
-#include "simulator/check/Report.h"
+#include "simulator/check/CheckedProgram.h"
 #include "simulator/check/race/AccessSites.h"
 #include "simulator/check/race/RaceDetector.h"
 #include "simulator/functional/Checks.h"
 
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace tp {
@@ -25,8 +26,8 @@ class RaceChecks final : public ExecutionChecks {
 public:
   struct Step {};
 
-  /// The arguments must outlive it.
-  RaceChecks(const ElfProgram &Program, const ChipConfig &Chip, Reports &Found);
+  /// \p Checked must outlive it.
+  RaceChecks(CheckedProgram &Checked, const ChipConfig &Chip);
 
   /// Why it cannot be used; empty if it can.
   std::string error() const;
@@ -67,7 +68,7 @@ public:
     const uint32_t StackPointer = T.Registers[StackPointerRegister];
     if constexpr (Op == Opcode::JAL || Op == Opcode::JALR ||
                   Op == Opcode::BLTZAL || Op == Opcode::BGEZAL)
-      Stack.called(Contexts, Pc, Pc + 4, StackPointer);
+      Stack.called(Checked.Contexts, Pc, Pc + 4, StackPointer);
     if constexpr (Op == Opcode::JR)
       Stack.jumped(Target, StackPointer);
   }
@@ -133,16 +134,20 @@ private:
   void notePartOfWord(const FunctionalThread &T, uint32_t Pc, uint32_t Address,
                       uint32_t Changed);
   void report(const Race &R);
+  /// Whether nothing has been reported yet of the line that writes and the
+  /// function of the other side: a barrier that is missing gives a race for
+  /// each pair of accesses around it.
+  bool isNews(const Race &R);
   ReportSide side(const RacingAccess &Access) const;
 
+  CheckedProgram &Checked;
   const uint32_t TextBegin;
   /// AtomicFlags by word of the text.
   std::vector<uint8_t> Flags;
   const AddressSpace *Space = nullptr;
-  Reports &Found;
-  CallContexts Contexts;
   std::vector<ThreadCallStack> Stacks;
   AccessSites Sites;
+  std::set<std::tuple<std::string, unsigned, std::string>> Causes;
   RaceDetector Detector;
 };
 
