@@ -257,4 +257,11 @@ SessionStop Session::goTo(uint64_t Time) {
   return Result;
 }
 
+void Session::visit(Moment At, function_ref<void()> Do) {
+  Moment Now = Machine->now();
+  Machine->goTo(At);
+  Do();
+  Machine->goTo(Now);
+}
+
 } // namespace tp

@@ -126,6 +126,11 @@ public:
   /// instruction of the run).
   SessionStop goTo(uint64_t Time);
 
+  /// To the thread's next instruction, without regard to breakpoints.
+  SessionStop moveByOne(uint32_t Thread);
+  /// Calls \p Do at another moment, and comes back.
+  void visit(Moment At, llvm::function_ref<void()> Do);
+
   /// How a thread sees memory and registers. Lives as long as the session.
   const MachineAccess &machine(uint32_t Thread);
   /// The innermost function's state, not yet by inlined function.
@@ -140,8 +145,6 @@ private:
 
   /// Runs until one of \p Own (then it is a Step), a breakpoint or the end.
   SessionStop run(Direction Towards, std::vector<InstructionEvents> Own);
-  /// To the thread's next instruction, without regard to breakpoints.
-  SessionStop moveByOne(uint32_t Thread);
 
   llvm::Error start();
   Events wantedEvents(Direction Towards);

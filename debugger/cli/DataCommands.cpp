@@ -1,0 +1,175 @@
+//===- DataCommands.cpp - Commands about data -----------------------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "debugger/cli/Command.h"
+#include "debugger/cli/Views.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+using namespace llvm;
+
+namespace tp {
+namespace {
+
+Expected<char> printFormat(StringRef Letters) {
+  Expected<FormatLetters> Format = parseFormat(Letters);
+  if (!Format)
+    return Format.takeError();
+  if (Format->Count != 1 || Format->Unit != 0)
+    return createStringError(
+        "Size letters are meaningless in \"print\" command.");
+  if (Format->Format == 'i')
+    return createStringError(
+        "Format letter \"i\" is meaningless in \"print\" command.");
+  return Format->Format;
+}
+
+llvm::Error printCommand(Shell &S, CommandArguments Arguments) {
+  Expected<char> Format = printFormat(Arguments.Format);
+  if (!Format)
+    return Format.takeError();
+  StringRef Text = Arguments.isEmpty() ? StringRef("$") : Arguments.Text;
+  Expected<Value> Result = S.evaluate(Text);
+  if (!Result)
+    return Result.takeError();
+  std::string Shown = S.print(*Result, *Format);
+  if (Result->type().stripped().Kind == TypeKind::Void) {
+    S.OS << "void\n";
+    return llvm::Error::success();
+  }
+  Expected<Value> Kept = Result->snapshot(S.context());
+  if (Kept)
+    S.OS << '$' << S.Program.history().add(std::move(*Kept)) << " = ";
+  else
+    consumeError(Kept.takeError());
+  S.OS << Shown << '\n';
+  return llvm::Error::success();
+}
+
+llvm::Error outputCommand(Shell &S, CommandArguments Arguments) {
+  Expected<char> Format = printFormat(Arguments.Format);
+  if (!Format)
+    return Format.takeError();
+  Expected<Value> Result = S.evaluate(Arguments.Text);
+  if (!Result)
+    return Result.takeError();
+  S.OS << S.print(*Result, *Format);
+  return llvm::Error::success();
+}
+
+llvm::Error echoCommand(Shell &S, CommandArguments Arguments) {
+  for (size_t I = 0; I != Arguments.Text.size(); ++I) {
+    char C = Arguments.Text[I];
+    if (C == '\\' && I + 1 != Arguments.Text.size()) {
+      C = Arguments.Text[++I];
+      C = C == 'n' ? '\n' : C == 't' ? '\t' : C;
+    }
+    S.OS << C;
+  }
+  return llvm::Error::success();
+}
+
+/// The expression or the type that \p Text names.
+Expected<const Type *> typeOf(Shell &S, StringRef Text, bool &IsTypeName) {
+  Expected<Expression> Parsed = Expression::parse(Text, S.info(), &S.context());
+  if (!Parsed)
+    return Parsed.takeError();
+  if (const Type *Named = Parsed->namedType()) {
+    IsTypeName = true;
+    return Named;
+  }
+  if (Parsed->hasEffects())
+    return createStringError("The type of an assignment is that of its left "
+                             "side.");
+  Expected<Value> Result = Parsed->evaluate(S.context(), &S.Program.history());
+  if (!Result)
+    return Result.takeError();
+  return &Result->type();
+}
+
+llvm::Error whatisCommand(Shell &S, CommandArguments Arguments) {
+  bool IsTypeName = false;
+  Expected<const Type *> Of = typeOf(S, Arguments.Text, IsTypeName);
+  if (!Of)
+    return Of.takeError();
+  S.OS << "type = " << (*Of)->Name << '\n';
+  return llvm::Error::success();
+}
+
+llvm::Error ptypeCommand(Shell &S, CommandArguments Arguments) {
+  bool IsTypeName = false;
+  Expected<const Type *> Of = typeOf(S, Arguments.Text, IsTypeName);
+  if (!Of)
+    return Of.takeError();
+  S.OS << "type = " << describeType(**Of) << '\n';
+  return llvm::Error::success();
+}
+
+llvm::Error displayCommand(Shell &S, CommandArguments Arguments) {
+  if (Arguments.isEmpty()) {
+    S.printDisplays();
+    return llvm::Error::success();
+  }
+  if (Expected<FormatLetters> Format = parseFormat(Arguments.Format); !Format)
+    return Format.takeError();
+  Expected<Expression> Parsed =
+      Expression::parse(Arguments.Text, S.info(), &S.context());
+  if (!Parsed)
+    return Parsed.takeError();
+  S.Displays.push_back(
+      {++S.LastDisplay, Arguments.Text.str(), Arguments.Format.str()});
+  S.printDisplay(S.Displays.back());
+  return llvm::Error::success();
+}
+
+llvm::Error undisplayCommand(Shell &S, CommandArguments Arguments) {
+  if (Arguments.isEmpty()) {
+    S.Displays.clear();
+    return llvm::Error::success();
+  }
+  Expected<uint64_t> Number = parseCount(Arguments.Text, 0);
+  if (!Number)
+    return Number.takeError();
+  size_t Before = S.Displays.size();
+  erase_if(S.Displays, [&](const Display &D) { return D.Number == *Number; });
+  if (S.Displays.size() == Before)
+    return createStringError("Could not find display number " + Twine(*Number) +
+                             ".");
+  return llvm::Error::success();
+}
+
+llvm::Error examineCommand(Shell &S, CommandArguments Arguments) {
+  return examine(S, Arguments.Format, Arguments.Text);
+}
+
+constexpr Command Table[] = {
+    {"print", "p inspect call", "[/FORMAT] [EXPRESSION]",
+     "Print the value of a C++ expression and keep it as $1, $2, ...\n"
+     "FORMAT is one of x d u o t a c f s z.",
+     printCommand, false, CompletionOf::Expressions},
+    {"output", "", "[/FORMAT] EXPRESSION",
+     "Print a value without number and line end.", outputCommand, false,
+     CompletionOf::Expressions},
+    {"echo", "", "TEXT", "Print text; \\n is a line end.", echoCommand},
+    {"whatis", "", "EXPRESSION", "Print the type of an expression.",
+     whatisCommand, false, CompletionOf::Expressions},
+    {"ptype", "pt", "EXPRESSION|TYPE", "Print the definition of a type.",
+     ptypeCommand, false, CompletionOf::Expressions},
+    {"display", "", "[/FORMAT] [EXPRESSION]",
+     "Print an expression at each stop from now on.", displayCommand, false,
+     CompletionOf::Expressions},
+    {"undisplay", "", "[NUMBER]", "End a display, or all.", undisplayCommand},
+    {"x", "", "[/COUNT FORMAT UNIT] [ADDRESS]",
+     "Print memory. FORMAT is one of x d u o t a c f s i, UNIT one of b h w "
+     "g.\n"
+     "Without ADDRESS from where the last one ended.",
+     examineCommand, true, CompletionOf::Expressions}};
+
+} // namespace
+
+ArrayRef<Command> dataCommands() { return Table; }
+
+} // namespace tp
