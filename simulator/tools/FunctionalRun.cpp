@@ -9,6 +9,7 @@
 #include "simulator/functional/FunctionalJit.h"
 #include "simulator/functional/FunctionalMachine.h"
 #include "simulator/stats/FunctionalReport.h"
+#include "simulator/tools/CheckTask.h"
 #include "simulator/tools/InstructionTrace.h"
 #include "simulator/tools/Interrupt.h"
 #include "simulator/tools/RunResults.h"
@@ -21,7 +22,8 @@ static Expected<RunResult> run(FunctionalMachine &Machine,
                                const Options &Request, RunSetup &Loaded,
                                RunConsole &Console,
                                std::optional<uint32_t> StopMarker) {
-  if (Request.GenerateCode && Request.InstructionTraceOutput.empty()) {
+  if (Request.GenerateCode && Request.InstructionTraceOutput.empty() &&
+      Request.Checkers.empty()) {
     Expected<std::unique_ptr<FunctionalCodeGenerator>> Generator =
         makeFunctionalJit();
     if (!Generator)
@@ -56,6 +58,11 @@ Expected<int> runFunctionally(const Options &Request, const ChipConfig &Chip,
   if (!Request.InstructionTraceOutput.empty())
     if (llvm::Error Failure = Trace.start(Machine, Chip, Request))
       return Failure;
+  std::unique_ptr<CheckTask> Checks;
+  if (!Request.Checkers.empty())
+    if (llvm::Error Failure =
+            CheckTask::start(Request, Chip, Loaded, Machine).moveInto(Checks))
+      return Failure;
   Expected<RunResult> Ended =
       run(Machine, Request, Loaded, Console, std::nullopt);
   if (!Ended)
@@ -73,8 +80,12 @@ Expected<int> runFunctionally(const Options &Request, const ChipConfig &Chip,
   if (!Request.Quiet)
     writeFunctionalTable(Run, Speed, errs());
   explainEnd(Result, Request, Chip, Loaded, Machine);
+  if (Checks)
+    Failures = joinErrors(std::move(Failures), Checks->finish(Result));
   if (Failures)
     return Failures;
+  if (Checks && Checks->hasFaults() && Run.ExitStatus == 0)
+    return 1;
   return Run.ExitStatus;
 }
 

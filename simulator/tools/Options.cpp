@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/tools/Options.h"
+#include "simulator/check/Suppressions.h"
 
 #include "simulator/chip/ChipLimits.h"
 
@@ -92,6 +93,7 @@ public:
     readLongRun(Result);
     readCacheTrace(Result);
     readInstructionTrace(Result);
+    readChecks(Result);
     readMemoryDumps(Result);
     readProgram(Result);
     readImage(Result);
@@ -324,6 +326,41 @@ private:
     if (!Arguments.hasArg(OPT_functional))
       error("--trace-instructions needs --functional: with timing, several "
             "instructions are under way at once");
+  }
+
+  void readChecks(Options &Result) {
+    if (!Arguments.hasArg(OPT_check)) {
+      for (OptionId Id : {OPT_check_suppressions, OPT_check_output})
+        if (const Arg *Argument = Arguments.getLastArg(Id))
+          error(Argument->getSpelling().rtrim('=') +
+                " has no meaning without --check");
+      return;
+    }
+    for (const Arg *Argument : Arguments.filtered(OPT_check))
+      for (StringRef Name : split(Argument->getValue(), ',')) {
+        if (Name == "all")
+          append_range(Result.Checkers, CheckerNames);
+        else if (is_contained(CheckerNames, Name))
+          Result.Checkers.push_back(Name.str());
+        else
+          error("--check '" + Name + "': expected one of " +
+                join(std::begin(CheckerNames), std::end(CheckerNames), ", ") +
+                ", all, or several with commas");
+      }
+    Result.Functional = true;
+    Result.CheckSuppressions =
+        Arguments.getLastArgValue(OPT_check_suppressions).str();
+    Result.CheckOutput = Arguments.getLastArgValue(OPT_check_output).str();
+    for (OptionId Id : {OPT_check_suppressions, OPT_check_output})
+      if (Arguments.hasArg(Id) && Arguments.getLastArgValue(Id).empty())
+        error(Arguments.getLastArg(Id)->getSpelling().rtrim('=') +
+              " is empty; give it the path of a file");
+    for (OptionId Id :
+         {OPT_fast_forward, OPT_regions, OPT_checkpoint, OPT_restore,
+          OPT_max_cycles, OPT_interval, OPT_profile, OPT_profile_EQ})
+      exclude(OPT_check, Id, "checks execute without timing");
+    exclude(OPT_check, OPT_trace_instructions,
+            "trace the instructions in a run of their own");
   }
 
   void readMemoryDumps(Options &Result) {

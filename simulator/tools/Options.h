@@ -92,6 +92,12 @@ struct Options {
   /// Text file for the instructions of TracedThread; empty: none.
   std::string InstructionTraceOutput;
   uint32_t TracedThread = 0;
+  /// Names of Suppressions.h; empty: no checks.
+  std::vector<std::string> Checkers;
+  /// Text file with the faults not to show; empty: none.
+  std::string CheckSuppressions;
+  /// JSON file for the faults, `-` for standard output; empty: none.
+  std::string CheckOutput;
   unsigned HostThreads = 1;
   /// Compile hot code.
   bool GenerateCode = true;

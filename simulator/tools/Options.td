@@ -94,6 +94,13 @@ defm engine : LongValue<"engine", "<jit|reference>",
                     "nothing but speed">;
 defm max_cycles : LongValue<"max-cycles", "<n>",
                         "Stop with status 1 after so many cycles">;
+defm check : LongValue<"check", "<checker>[,<checker>...]",
+                   "Execute without timing and look for faults: memory, init, "
+                   "stack, race, or all">;
+defm check_suppressions : LongValue<"check-suppressions", "<file>",
+                                "Faults that are not to be shown">;
+defm check_output : LongValue<"check-output", "<file>",
+                          "Write the faults as JSON; - is standard output">;
 def functional : LongFlag<"functional",
                          "Execute without timing: no cycles, but fast">;
 defm fast_forward : LongValue<"fast-forward", "<marker>",
