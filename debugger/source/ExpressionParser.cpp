@@ -269,12 +269,28 @@ Expected<NodePointer> ExpressionParser::parenthesis() {
     Node->Of = *Of;
     return Node;
   }
+  if (Error Problem = unknownCast())
+    return std::move(Problem);
   Expected<NodePointer> Inner = comma();
   if (!Inner)
     return Inner;
   if (Error Problem = expect(")"))
     return std::move(Problem);
   return postfix(std::move(*Inner));
+}
+
+/// `(Name *)`, where the name is no type's.
+Error ExpressionParser::unknownCast() {
+  size_t Begin = At;
+  std::string Name = qualifiedName();
+  bool HasStar = false;
+  while (accept("*"))
+    HasStar = true;
+  bool IsCast = HasStar && !Name.empty() && peek().is(")");
+  At = Begin;
+  return IsCast ? createStringError("No symbol \"" + Name +
+                                    "\" in current context.")
+                : Error::success();
 }
 
 Expected<NodePointer> ExpressionParser::namedCast() {

@@ -51,6 +51,7 @@ private:
   llvm::Expected<NodePointer> unary();
   llvm::Expected<NodePointer> sizeOf();
   llvm::Expected<NodePointer> parenthesis();
+  llvm::Error unknownCast();
   llvm::Expected<NodePointer> namedCast();
   llvm::Expected<NodePointer> postfix(NodePointer Operand);
   llvm::Expected<NodePointer> primary();

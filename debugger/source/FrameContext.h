@@ -21,19 +21,27 @@ namespace tp {
 inline constexpr unsigned DwarfRegisters = 64;
 inline constexpr unsigned DwarfFirstFloat = 32;
 
-/// Registers as far as they are known: a caller's registers that no function
-/// saves have been lost.
+/// Registers as far as they are known.
 struct RegisterSet {
   std::array<uint32_t, DwarfRegisters> Values = {};
-  /// One bit per register.
+  /// One bit per register that has a value at all.
   uint64_t Known = ~uint64_t(0);
+  /// Of a caller: registers that the functions it called need not have kept.
+  /// They hold the caller's values only if the compiler knows that of the call.
+  uint64_t Uncertain = 0;
 
-  bool isKnown(unsigned Register) const { return Known >> Register & 1; }
+  bool isKnown(unsigned Register) const {
+    return (Known & ~Uncertain) >> Register & 1;
+  }
+  /// Known, or uncertain.
+  bool isPresent(unsigned Register) const { return Known >> Register & 1; }
   void set(unsigned Register, uint32_t Value) {
     Values[Register] = Value;
     Known |= uint64_t(1) << Register;
+    Uncertain &= ~(uint64_t(1) << Register);
   }
   void forget(unsigned Register) { Known &= ~(uint64_t(1) << Register); }
+  void doubt(unsigned Register) { Uncertain |= uint64_t(1) << Register; }
 };
 
 /// Memory and registers of one thread. Read and Write return false for what is

@@ -211,11 +211,14 @@ Unwinder::caller(const FrameContext &Context) const {
       if (Error Problem = restore(Register, *Rule, *Cfa, Context, Caller))
         return std::move(Problem);
     } else if (Register != kReturnAddress && !isCalleeSaved(Register)) {
-      Caller.Registers.forget(Register);
+      Caller.Registers.doubt(Register);
     }
   }
   if (!Caller.Registers.isKnown(kReturnAddress))
     return createStringError("the return address is not known");
+  // A thread begins with 0 there.
+  if (Caller.Registers.Values[kReturnAddress] == 0)
+    return std::nullopt;
   Caller.Registers.set(StackPointerRegister, *Cfa);
   Caller.SavedAt[StackPointerRegister] = 0;
   Caller.Pc = Caller.Registers.Values[kReturnAddress];

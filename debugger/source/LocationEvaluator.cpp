@@ -67,7 +67,10 @@ LocationEvaluator::locate(DWARFDie Die, uint32_t Size,
     if (Location.Range &&
         (Pc < Location.Range->LowPC || Pc >= Location.Range->HighPC))
       continue;
-    return LocationStack(*this, *Die.getDwarfUnit(), Frame)
+    // A location ends with the call that overwrites its register.
+    bool GoesOn = !Location.Range || Location.Range->HighPC > Frame.Pc;
+    return LocationStack(*this, *Die.getDwarfUnit(), Frame,
+                         !Frame.IsCaller || GoesOn)
         .places(Location.Expr, Size);
   }
   return std::vector<ValuePiece>();

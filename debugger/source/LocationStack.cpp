@@ -42,8 +42,7 @@ void LocationStack::endPiece(uint32_t Bytes) {
     Piece.Contents.resize(Bytes);
   } else if (IsLost || (Kind != ValuePiece::InRegister && Stack.empty())) {
     Piece.Place = ValuePiece::Lost;
-  } else if (Kind == ValuePiece::InRegister &&
-             !Frame.Registers.isKnown(Register)) {
+  } else if (Kind == ValuePiece::InRegister && !hasRegister(Register)) {
     Piece.Place = ValuePiece::Lost;
   } else if (Kind == ValuePiece::InMemory) {
     Piece.Place = ValuePiece::InMemory;
@@ -82,7 +81,7 @@ LocationStack::number(ArrayRef<uint8_t> Expression) {
   if (IsLost)
     return std::nullopt;
   if (Kind == ValuePiece::InRegister) {
-    if (!Frame.Registers.isKnown(Register))
+    if (!hasRegister(Register))
       return std::nullopt;
     return Frame.Registers.Values[Register];
   }
@@ -293,7 +292,7 @@ Error LocationStack::useRegister(unsigned Number,
     Register = Number;
     return Error::success();
   }
-  IsLost |= !Frame.Registers.isKnown(Number);
+  IsLost |= !hasRegister(Number);
   push(Frame.Registers.Values[Number] + uint32_t(*Offset));
   return Error::success();
 }
@@ -306,7 +305,7 @@ Error LocationStack::dereference(unsigned Bytes, Entry Type) {
   uint8_t Buffer[8] = {};
   uint32_t Address = uint32_t(Stack.pop_back_val().Value);
   if (!Frame.read(Address, MutableArrayRef(Buffer, Bytes)))
-    return createStringError("cannot access memory at address 0x" +
+    return createStringError("Cannot access memory at address 0x" +
                              utohexstr(Address, true));
   Type.Value = support::endian::read64le(Buffer);
   Stack.push_back(Type);

@@ -25,9 +25,12 @@ class LocationEvaluator;
 /// Evaluates one expression at a frame.
 class LocationStack {
 public:
+  /// \p KeepsRegisters: the call that the frame is at, if it is at one, leaves
+  /// the registers alone that the expression names.
   LocationStack(const LocationEvaluator &Owner, llvm::DWARFUnit &Unit,
-                const FrameContext &Frame)
-      : Owner(Owner), Unit(Unit), Frame(Frame) {}
+                const FrameContext &Frame, bool KeepsRegisters = true)
+      : Owner(Owner), Unit(Unit), Frame(Frame), KeepsRegisters(KeepsRegisters) {
+  }
 
   /// The places of an object of \p Size bytes; none if it has no value here.
   llvm::Expected<std::vector<ValuePiece>>
@@ -54,6 +57,7 @@ private:
   const LocationEvaluator &Owner;
   llvm::DWARFUnit &Unit;
   const FrameContext &Frame;
+  bool KeepsRegisters;
   llvm::SmallVector<Entry, 8> Stack;
   std::vector<ValuePiece> Pieces;
   ValuePiece::PlaceKind Kind = ValuePiece::InMemory;
@@ -73,6 +77,10 @@ private:
   llvm::Error dereference(unsigned Bytes, Entry Type);
   llvm::Error special(const Operation &Op, llvm::ArrayRef<uint8_t> Expression);
   llvm::Expected<Entry> typeAt(uint64_t Offset) const;
+  bool hasRegister(unsigned Number) const {
+    return KeepsRegisters ? Frame.Registers.isPresent(Number)
+                          : Frame.Registers.isKnown(Number);
+  }
   void push(uint64_t Value) { Stack.push_back(Entry{Value}); }
   void endPiece(uint32_t Bytes);
   llvm::Error malformed(const llvm::Twine &What) const;

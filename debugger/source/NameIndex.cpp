@@ -187,6 +187,16 @@ void NameIndex::add(DWARFDie Die) {
   }
 }
 
+/// A constant, or a global variable that the program no longer has.
+static bool isGlobalWithoutPlace(DWARFDie Die) {
+  for (DWARFDie Scope = Die.getParent(); Scope; Scope = Scope.getParent())
+    if (Scope.isSubroutineDIE() || Scope.getTag() == DW_TAG_lexical_block)
+      return false;
+  if (Die.find(DW_AT_const_value))
+    return true;
+  return Die.getTag() == DW_TAG_variable && !Die.find(DW_AT_declaration);
+}
+
 /// Variables of functions without a fixed place belong to their blocks.
 void NameIndex::addVariable(DWARFDie Die) {
   if (std::optional<DWARFFormValue> Location = Die.find(DW_AT_location)) {
@@ -198,12 +208,8 @@ void NameIndex::addVariable(DWARFDie Die) {
                       Block->back()));
     if (!IsFixed)
       return;
-  } else if (!Die.find(DW_AT_const_value)) {
+  } else if (!isGlobalWithoutPlace(Die)) {
     return;
-  } else {
-    for (DWARFDie Scope = Die.getParent(); Scope; Scope = Scope.getParent())
-      if (Scope.isSubroutineDIE() || Scope.getTag() == DW_TAG_lexical_block)
-        return;
   }
   StringRef Name = baseName(Die);
   if (Name.empty())

@@ -9,6 +9,7 @@
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/DebugInfo/DWARF/DWARFUnit.h"
+#include "llvm/Support/LEB128.h"
 #include "llvm/Support/raw_ostream.h"
 
 using namespace llvm;
@@ -150,6 +151,17 @@ void TypeTable::readEnumerators(Type &Result, DWARFDie Die) {
   Result.IsScoped = Die.find(DW_AT_enum_class).has_value();
 }
 
+/// The number that DWARF 2's expression for a member adds; nothing for a
+/// virtual base's.
+static std::optional<uint64_t> addedConstant(const DWARFFormValue &Form) {
+  std::optional<ArrayRef<uint8_t>> Block = Form.getAsBlock();
+  if (!Block || Block->size() < 2 || Block->front() != DW_OP_plus_uconst)
+    return std::nullopt;
+  unsigned Length = 0;
+  uint64_t Number = decodeULEB128(Block->data() + 1, &Length, Block->end());
+  return Length + 1 == Block->size() ? std::optional(Number) : std::nullopt;
+}
+
 /// Where a member is, in bits; nothing if that is not constant.
 static std::optional<uint64_t> bitPosition(DWARFDie Die, uint32_t BitSize,
                                            uint32_t TypeSize) {
@@ -160,6 +172,8 @@ static std::optional<uint64_t> bitPosition(DWARFDie Die, uint32_t BitSize,
   if (std::optional<DWARFFormValue> Form =
           Die.find(DW_AT_data_member_location)) {
     std::optional<uint64_t> Constant = Form->getAsUnsignedConstant();
+    if (!Constant)
+      Constant = addedConstant(*Form);
     if (!Constant)
       return std::nullopt;
     Bytes = *Constant;
@@ -179,6 +193,8 @@ void TypeTable::readMembers(Type &Result, DWARFDie Die) {
     bool IsStatic = T == DW_TAG_variable ||
                     (T == DW_TAG_member && (Child.find(DW_AT_external) ||
                                             Child.find(DW_AT_declaration)));
+    if (IsStatic && Child.find(DW_AT_artificial))
+      continue;
     if (IsStatic) {
       Result.StaticMembers.push_back({baseName(Child).str(), Child});
       continue;

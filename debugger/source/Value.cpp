@@ -93,7 +93,7 @@ Value::gather(const FrameContext &Frame, uint32_t Offset, uint32_t Size) const {
       if (Piece.Place == ValuePiece::InMemory) {
         uint32_t Address = Piece.Address + (From - Begin);
         if (!Frame.read(Address, Part))
-          return createStringError("cannot access memory at address 0x" +
+          return createStringError("Cannot access memory at address 0x" +
                                    utohexstr(Address, true));
       } else {
         for (uint32_t I = 0; I != Part.size(); ++I)
@@ -235,7 +235,7 @@ static Error storeInRegister(const FrameContext &Frame, const ValuePiece &Piece,
   if (uint32_t Address = Frame.SavedAt[Piece.Register]) {
     if (Frame.Machine->Write && Frame.Machine->Write(Address + Offset, Bytes))
       return Error::success();
-    return createStringError("cannot write memory at address 0x" +
+    return createStringError("Cannot write memory at address 0x" +
                              utohexstr(Address + Offset, true));
   }
   uint32_t Word = Frame.Registers.Values[Piece.Register];
@@ -262,7 +262,7 @@ Error Value::store(const FrameContext &Frame, uint32_t Offset,
       case ValuePiece::InMemory: {
         uint32_t Address = Piece.Address + (From - Begin);
         if (!Frame.Machine->Write || !Frame.Machine->Write(Address, Part))
-          return createStringError("cannot write memory at address 0x" +
+          return createStringError("Cannot write memory at address 0x" +
                                    utohexstr(Address, true));
         break;
       }

@@ -168,7 +168,7 @@ void ValuePrinter::Writer::stringAt(uint32_t Address) {
     uint8_t Byte;
     if (!Frame.read(Address + uint32_t(Characters.size()), Byte)) {
       if (Characters.empty())
-        OS << " <error: cannot access memory at address 0x"
+        OS << " <error: Cannot access memory at address 0x"
            << utohexstr(Address, true) << '>';
       else
         OS << ' ' << quoted(Characters) << "...";
@@ -276,7 +276,8 @@ void ValuePrinter::Writer::record(const Value &Of, unsigned Depth) {
   OS << '{';
   bool IsFirst = true;
   for (const NamedValue &Part : *Parts) {
-    if (Part.IsBase && Part.Of.type().stripped().Members.empty())
+    const Type &Inner = Part.Of.type().stripped();
+    if (Part.IsBase && Inner.isRecord() && Inner.Members.empty())
       continue;
     if (!IsFirst)
       OS << (Options.Pretty ? "," : ", ");

@@ -169,9 +169,11 @@ std::optional<VariableInfo> Variables::findGlobal(const FrameContext &Frame,
   for (DWARFDie Die : Names.variables(lastComponent(Name))) {
     if (!matchesName(qualifiedName(Die), Name))
       continue;
+    // Of the scopes around the place the innermost, then of the same unit.
     std::string Prefix = scopePrefix(Die);
-    size_t Nearness = StringRef(Place).starts_with(Prefix) ? Prefix.size() : 0;
-    Nearness = 2 * Nearness + (Unit == Die.getDwarfUnit() ? 2 : 1);
+    bool IsAround = StringRef(Place).starts_with(Prefix);
+    size_t Nearness = (IsAround ? 4 + 4 * Prefix.size() : 0) +
+                      (Unit == Die.getDwarfUnit() ? 2 : 1);
     if (Nearness > BestNearness) {
       Best = Die;
       BestNearness = Nearness;

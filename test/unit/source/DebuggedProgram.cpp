@@ -49,7 +49,8 @@ static std::string compile(const std::string &Source,
 
 DebuggedProgram::DebuggedProgram(const std::string &Source,
                                  const std::vector<std::string> &Flags)
-    : Chip(must(loadChip("1x1", ""), "chip")) {
+    : Chip(must(loadChip("1x1", std::string(TP_TESTS) + "/../simulator/chips"),
+                "chip")) {
   Options Request;
   Request.Program = compile(Source, Flags);
   FileRemover Remove(Request.Program);

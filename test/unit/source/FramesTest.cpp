@@ -70,7 +70,9 @@ unsigned checkUnwinding(const std::vector<std::string> &Options) {
     Expected<std::optional<FrameContext>> Outermost =
         Program.information().unwinder().caller(At);
     ASSERT_TRUE(bool(Outermost)) << toString(Outermost.takeError());
-    EXPECT_FALSE(Outermost->has_value());
+    ASSERT_FALSE(Outermost->has_value())
+        << Program.map().describeAddress(Frame.Pc) << ", called from "
+        << Program.map().describeAddress((*Outermost)->Pc);
     Deepest = std::max(Deepest, unsigned(Calls.size()));
     ++Checked;
   });
@@ -79,9 +81,9 @@ unsigned checkUnwinding(const std::vector<std::string> &Options) {
 }
 
 std::vector<std::string> namesOf(DebuggedProgram &Program,
-                                 const FrameContext &Frame) {
+                                 const FrameContext &Innermost) {
   std::vector<std::string> Names;
-  for (const Frame &Part : Program.backtrace(Frame))
+  for (const Frame &Part : Program.backtrace(Innermost))
     Names.push_back(Part.Function ? Program.map().function(*Part.Function).Name
                                   : "?");
   return Names;
@@ -97,8 +99,8 @@ TEST(Frames, CallersAreThoseOfTheRunAtEveryInstruction) {
 TEST(Frames, InlinedFunctionsAreFrames) {
   DebuggedProgram Program("Debug/values.cpp", {"-O2", "-g"});
   bool Seen = false;
-  Program.runToCallsOf("probe", [&](const FrameContext &Frame) {
-    std::vector<Frame> Stack = Program.backtrace(Frame);
+  Program.runToCallsOf("probe", [&](const FrameContext &Caller) {
+    std::vector<Frame> Stack = Program.backtrace(Caller);
     if (Stack.size() < 2 || !Stack[0].Inlined)
       return;
     Seen = true;

@@ -20,7 +20,8 @@ namespace {
 /// Calls \p Function in expressions().
 void atStop(const std::function<void(DebuggedProgram &, const FrameContext &)>
                 &Function) {
-  DebuggedProgram Program("unit/source/Inputs/expressions.cpp", {"-O0", "-g"});
+  DebuggedProgram Program("unit/source/Inputs/expressions.cpp",
+                          {"-O0", "-g", "-fstandalone-debug"});
   bool Done = false;
   Program.runToCallsOf("stop", [&](const FrameContext &Frame) {
     if (!Done)

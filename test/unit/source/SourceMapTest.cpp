@@ -42,7 +42,7 @@ using Names = std::set<std::string>;
 } // namespace
 
 TEST(SourceMap, FunctionsByName) {
-  DebuggedProgram Program(Source, {"-O0", "-g"});
+  DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
   EXPECT_EQ(names(Program, "main"), Names({"main()"}));
   EXPECT_EQ(names(Program, "twice"),
             Names({"scene::twice(int)", "scene::twice(float)"}));
@@ -54,12 +54,13 @@ TEST(SourceMap, FunctionsByName) {
             Names({"scene::Sphere::area(int)"}));
   EXPECT_EQ(names(Program, "_ZN5scene5twiceEi"), Names({"scene::twice(int)"}));
   EXPECT_EQ(names(Program, "nothing"), Names());
-  EXPECT_TRUE(names(Program, "std::array<int, 4>::operator[]")
-                  .count("std::array<int, 4U>::operator[](unsigned int)"));
+  EXPECT_EQ(names(Program, "std::array<int, 4>::operator[]"),
+            Names({"std::array<int, 4U>::operator[]("
+                   "std::array<int, 4U>::size_type)"}));
 }
 
 TEST(SourceMap, BreakpointsOnFunctionsAreBehindThePrologue) {
-  DebuggedProgram Program(Source, {"-O0", "-g"});
+  DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
   const SourceMap &Map = Program.map();
   const FunctionInfo &Function =
       Map.function(Map.findFunctions("expressions").front());
@@ -73,7 +74,7 @@ TEST(SourceMap, BreakpointsOnFunctionsAreBehindThePrologue) {
 }
 
 TEST(SourceMap, LinesWithoutCodeStopAtTheNext) {
-  DebuggedProgram Program(Source, {"-O0", "-g"});
+  DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
   const SourceMap &Map = Program.map();
   std::vector<SourceFileId> Files = Map.files().find("expressions.cpp");
   ASSERT_EQ(Files.size(), 1u);
@@ -119,7 +120,7 @@ TEST(SourceMap, LinesCoverWhatFunctionsCover) {
 }
 
 TEST(SourceMap, SymbolsOfCodeAndData) {
-  DebuggedProgram Program(Source, {"-O0", "-g"});
+  DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
   const SourceMap &Map = Program.map();
   uint32_t Main = *Program.elf().symbol("main");
   EXPECT_EQ(Map.symbolAt(Main), "main()");
@@ -141,7 +142,7 @@ TEST(SourceMap, ProgramsWithoutDebugInformationHaveSymbols) {
 }
 
 TEST(SourceFiles, TextAndChanges) {
-  DebuggedProgram Program(Source, {"-O0", "-g"});
+  DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
   SourceFiles &Files = Program.information().files();
   std::vector<SourceFileId> Found = Files.find("Inputs/expressions.cpp");
   ASSERT_EQ(Found.size(), 1u);

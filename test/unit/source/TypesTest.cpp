@@ -21,7 +21,7 @@ protected:
   static void SetUpTestSuite() {
     Program = std::make_unique<DebuggedProgram>(
         "unit/source/Inputs/expressions.cpp",
-        std::vector<std::string>{"-O0", "-g"});
+        std::vector<std::string>{"-O0", "-g", "-fstandalone-debug"});
   }
   static void TearDownTestSuite() { Program.reset(); }
 

@@ -80,6 +80,7 @@ float Single = 0.1f;
 long long Long = -5000000000ll;
 unsigned long long Huge = 18446744073709551615ull;
 int Global = 100;
+int Unused = 5;
 Flags Access = Flags(Readable | Runnable);
 scene::Box<int, 3> Boxed = {{7, 8, 9}, 2};
 scene::Sphere Ball;
@@ -134,6 +135,6 @@ int main() {
          Matrix[1][2] + Operation(3) + int(scene::twice(1.5f)) + Four[1] +
          int(View.size()) + int(Precise + Single) + int(Long) + int(Huge) +
          int(Access) + Boxed.Used + (Words[0] != nullptr) + Raw[1] +
-         scene::Counter::Instances + other::Vector{3}.Other;
+         scene::Counter::Instances + other::Vector{3}.Other + Global;
   return Sum == 0;
 }
