@@ -7,6 +7,7 @@
 #include "simulator/compare/ComparedRun.h"
 
 #include "simulator/compare/RunReader.h"
+#include "simulator/profile/ProfileNames.h"
 
 #include "llvm/Support/MemoryBuffer.h"
 
@@ -21,14 +22,12 @@ bool readLost(const json::Value &Json, CycleCounts &Counts, json::Path Path) {
     return false;
   }
   for (const auto &[Name, Value] : *Object) {
-    unsigned Use = 1;
-    while (Use != NumCycleUses && StringRef(Name) != cycleUseName(Use))
-      ++Use;
-    if (Use == NumCycleUses) {
+    std::optional<Loss> Reason = findLoss(Name);
+    if (!Reason) {
       Path.field(Name).report("no reason that this tpsim knows");
       return false;
     }
-    if (!json::fromJSON(Value, Counts[Use], Path.field(Name)))
+    if (!json::fromJSON(Value, Counts[useOf(*Reason)], Path.field(Name)))
       return false;
   }
   return true;
@@ -62,18 +61,30 @@ static Error checkSums(const ComparedRun &Run) {
   return Error::success();
 }
 
-Expected<ComparedRun> readComparedRun(const std::string &Path,
-                                      const json::Value &Json) {
+static Expected<ComparedRun> readStatisticsRun(const json::Value &Json,
+                                               StringRef Name) {
   ComparedRun Run;
-  Run.Path = Path;
-  json::Path::Root Root(Path);
-  const json::Object *Object = Json.getAsObject();
-  bool IsProfile = Object && Object->get("frames");
-  if (!(IsProfile ? readProfile : readStatistics)(Json, Run, Root))
-    return createStringError(
-        toString(Root.getError()) +
-        "; expected what tpsim of this version writes by --stats or --profile");
-  if (Error E = checkSums(Run))
+  json::Path::Root Root(Name);
+  if (readStatistics(Json, Run, Root))
+    return Run;
+  return createStringError(
+      toString(Root.getError()) +
+      "; expected what tpsim of this version writes by --stats or --profile");
+}
+
+Expected<ComparedRun> readComparedRun(const std::string &Path, StringRef Text) {
+  Expected<json::Value> Json = json::parse(Text);
+  if (!Json)
+    return createStringError(Path +
+                             ": not JSON: " + toString(Json.takeError()));
+  const json::Object *Object = Json->getAsObject();
+  Expected<ComparedRun> Run = Object && Object->get("frames")
+                                  ? readProfileRun(Text, Path)
+                                  : readStatisticsRun(*Json, Path);
+  if (!Run)
+    return Run.takeError();
+  Run->Path = Path;
+  if (Error E = checkSums(*Run))
     return std::move(E);
   return Run;
 }
@@ -83,11 +94,7 @@ Expected<ComparedRun> loadComparedRun(const std::string &Path) {
   if (!File)
     return createStringError("cannot read " + Path + ": " +
                              File.getError().message());
-  Expected<json::Value> Json = json::parse((*File)->getBuffer());
-  if (!Json)
-    return createStringError(Path +
-                             ": not JSON: " + toString(Json.takeError()));
-  return readComparedRun(Path, *Json);
+  return readComparedRun(Path, (*File)->getBuffer());
 }
 
 } // namespace tp

@@ -9,8 +9,8 @@
 
 #include "simulator/compare/CycleCounts.h"
 
+#include "llvm/ADT/StringRef.h"
 #include "llvm/Support/Error.h"
-#include "llvm/Support/JSON.h"
 
 #include <compare>
 #include <map>
@@ -63,10 +63,10 @@ struct ComparedRun {
   uint64_t threads() const { return TmCount * TpsPerTm; }
 };
 
-/// Takes a run from \p Json, what `--stats` or `--profile` has written to \p
+/// Takes a run from \p Text, what `--stats` or `--profile` has written to \p
 /// Path. Errors name the file; counts that do not add up are one.
 llvm::Expected<ComparedRun> readComparedRun(const std::string &Path,
-                                            const llvm::json::Value &Json);
+                                            llvm::StringRef Text);
 
 /// The same from the file.
 llvm::Expected<ComparedRun> loadComparedRun(const std::string &Path);

@@ -6,6 +6,8 @@
 
 #include "simulator/compare/Comparison.h"
 
+#include "llvm/Support/JSON.h"
+
 using namespace llvm;
 
 namespace tp {

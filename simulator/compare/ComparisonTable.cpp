@@ -193,17 +193,20 @@ private:
       return;
     OS << formatv("{0,15} {1,15} {2,15} {3,8}  by {4}\n", "before", "after",
                   "change", "", Kind);
-    for (const ComparedPlace &Place : Places.take_front(Rows))
-      placeRow(Place.Counts, nameOf(Place.Name));
-    ArrayRef<ComparedPlace> Rest =
-        Places.drop_front(std::min<size_t>(Rows, Places.size()));
     ComparedCounts Others;
-    for (const ComparedPlace &Place : Rest) {
+    size_t NumOthers = 0, NumShown = 0;
+    for (const ComparedPlace &Place : Places) {
+      if (NumShown != Rows && Place.Counts.Before != Place.Counts.After) {
+        placeRow(Place.Counts, nameOf(Place.Name));
+        ++NumShown;
+        continue;
+      }
       add(Others.Before, Place.Counts.Before);
       add(Others.After, Place.Counts.After);
+      ++NumOthers;
     }
-    if (!Rest.empty())
-      placeRow(Others, formatv("({0} others)", Rest.size()).str());
+    if (NumOthers != 0)
+      placeRow(Others, formatv("({0} others)", NumOthers).str());
     constexpr unsigned Finished = useOf(Loss::Finished);
     ComparedCounts Halted;
     Halted.Before[Finished] = Runs.Counts.Before[Finished];

@@ -9,6 +9,8 @@
 
 #include "simulator/compare/ComparedRun.h"
 
+#include "llvm/Support/JSON.h"
+
 namespace tp {
 
 /// Reads thread-cycles lost by reason.
@@ -32,9 +34,12 @@ bool readObject(const llvm::json::Object &Parent, llvm::StringRef Name,
 bool readStatistics(const llvm::json::Value &Json, ComparedRun &Run,
                     llvm::json::Path Path);
 
-/// Reads what `tpsim --profile` has written.
-bool readProfile(const llvm::json::Value &Json, ComparedRun &Run,
-                 llvm::json::Path Path);
+/// Takes the figures that are there of what `tpsim --stats` has written.
+void readFigures(const llvm::json::Object &Statistics, ComparedRun &Run);
+
+/// Reads what `tpsim --profile` has written. Errors begin with \p Name.
+llvm::Expected<ComparedRun> readProfileRun(llvm::StringRef Text,
+                                           llvm::StringRef Name);
 
 } // namespace tp
 

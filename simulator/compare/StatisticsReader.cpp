@@ -72,12 +72,12 @@ static bool readThreadCycles(const json::Object &Statistics, ComparedRun &Run,
     return true;
   const json::Object *Block = Statistics.getObject("thread_cycles");
   const json::Value *Lost = Block ? Block->get("lost") : nullptr;
-  json::Path Place = Path.field("thread_cycles").field("lost");
+  json::Path Parent = Path.field("thread_cycles");
   if (!Lost) {
-    Place.report("missing value");
+    Parent.field("lost").report("missing value");
     return false;
   }
-  return readLost(*Lost, Run.Counts, Place);
+  return readLost(*Lost, Run.Counts, Parent.field("lost"));
 }
 
 static bool readPcs(const json::Object &Statistics, ComparedRun &Run,
@@ -109,8 +109,7 @@ static bool readOpcodes(const json::Object &Statistics, ComparedRun &Run,
   return true;
 }
 
-/// Takes what is there of the figures.
-static void readFigures(const json::Object &Statistics, ComparedRun &Run) {
+void readFigures(const json::Object &Statistics, ComparedRun &Run) {
   static const FigurePlace Places[] = {
       {"rays per second", Figure::Number, {"rays", "per_second"}},
       {"nodes visited", Figure::Count, {"ray_profile", "nodes_visited"}},

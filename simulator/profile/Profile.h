@@ -134,9 +134,9 @@ struct Profile {
   /// count for their callers.
   bool IsCallTreeCut = false;
   Utilisation Tms;
-  /// `{"ray_profile": ...}` as in the statistics; empty if the program reports
-  /// no rays.
-  std::string RayProfile;
+  /// What `tpsim --stats` writes of the run, but for counts by address, as
+  /// compact JSON; empty if it is not known.
+  std::string Statistics;
 };
 
 } // namespace tp

@@ -6,13 +6,14 @@
 
 #include "simulator/profile/ProfileBuilder.h"
 
-#include "kernels/profile/RayProfiler.h"
 #include "simulator/loader/Disassembler.h"
 #include "simulator/profile/SourcePlaces.h"
-#include "simulator/stats/RayProfileJson.h"
+#include "simulator/stats/JsonReport.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/Endian.h"
+#include "llvm/Support/FormatVariadic.h"
+#include "llvm/Support/JSON.h"
 
 using namespace llvm;
 
@@ -35,8 +36,7 @@ public:
     Result.IsCallTreeCut = Record.IsCallTreeCut;
     Result.Tms = std::move(Tms);
     Places.readSources();
-    if (std::optional<RayProfile> Rays = sumOf(Run.RayProfiles))
-      Result.RayProfile = rayProfileText(*Rays);
+    Result.Statistics = statisticsText();
     return std::move(Result);
   }
 
@@ -91,12 +91,13 @@ private:
     return uint32_t(Found - Result.Instructions.begin());
   }
 
-  static std::string rayProfileText(const RayProfile &Rays) {
+  std::string statisticsText() const {
+    RunSummary WithoutPcs = Run;
+    WithoutPcs.FramesOf = nullptr;
     std::string Text;
     raw_string_ostream OS(Text);
-    json::OStream Json(OS);
-    Json.object([&] { writeRayProfile(Rays, Json); });
-    return Text;
+    writeJson(WithoutPcs, OS);
+    return formatv("{0}", cantFail(json::parse(Text)));
   }
 
   const RunSummary &Run;

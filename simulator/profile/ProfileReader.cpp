@@ -160,9 +160,8 @@ static bool fromJSON(const json::Value &From, FileContents &To,
     return false;
   }
   Profile &Data = To.Data;
-  if (const json::Value *Rays = From.getAsObject()->get("ray_profile"))
-    Data.RayProfile =
-        formatv("{0}", json::Value(json::Object{{"ray_profile", *Rays}})).str();
+  if (const json::Value *Statistics = From.getAsObject()->get("statistics"))
+    Data.Statistics = formatv("{0}", *Statistics).str();
   return Map.map("run", Data.Run) && Map.map("files", Data.Files) &&
          Map.map("functions", Data.Functions) &&
          Map.map("frames", Data.Frames) &&

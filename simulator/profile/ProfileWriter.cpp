@@ -35,8 +35,11 @@ public:
       if (Data.IsCallTreeCut)
         Json.attribute("call_tree_is_cut", true);
       writeUtilisation();
-      if (!Data.RayProfile.empty())
-        Json.attribute("ray_profile", rayProfile());
+      if (!Data.Statistics.empty()) {
+        Json.attributeBegin("statistics");
+        Json.rawValue(Data.Statistics);
+        Json.attributeEnd();
+      }
     });
     OS << '\n';
   }
@@ -160,11 +163,6 @@ private:
       writeTms("memory", Tms.Memory);
       writeTms("finished", Tms.Finished);
     });
-  }
-
-  json::Value rayProfile() const {
-    json::Value Value = cantFail(json::parse(Data.RayProfile));
-    return std::move(*Value.getAsObject()->get("ray_profile"));
   }
 
   const Profile &Data;

@@ -45,7 +45,7 @@ function linesView() {
         value: (row) => `${files[row.file].name}:`
           + String(row.line).padStart(6),
         cell: (row) => el("td.code", {},
-          el("span.place", {}, `${files[row.file].name}:${row.line}`), " ",
+          el("span.place", {}, lineText(row.file, row.line)), " ",
           ...highlighted(sourceOf(row.file, row.line))) },
       cyclesColumn("cycles", (row) => row.cycles, most),
       countColumn("instructions", (row) => row.counts[0]),
@@ -101,8 +101,8 @@ function memoryView() {
     Object.values(row.served ?? {}).reduce((all, s) => all + s.cycles, 0);
   const placed = (row) => {
     const { file, line } = profile.frames[row.frame];
-    return file !== undefined && line !== undefined
-      ? el("a", { href: sourceLink(file, line) }, placeText(row.frame)) : "";
+    return file === undefined ? ""
+      : el("a", { href: sourceLink(file, line ?? 0) }, placeText(row.frame));
   };
   const table = new SortedTable({
     rows, sortBy: 3, empty: "No instruction accessed global memory.",

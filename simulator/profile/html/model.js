@@ -70,12 +70,10 @@ function chainOf(frame) {
   return chain;
 }
 
-/** "file:line" of a frame; nothing if it has no line. */
+/** "file:line" of a frame; nothing if it has no file. */
 function placeText(frame) {
   const { file, line } = profile.frames[frame];
-  if (file === undefined) return "";
-  const name = fileName(profile.files[file].path);
-  return line === undefined ? name : `${name}:${line}`;
+  return file === undefined ? "" : lineText(file, line ?? 0);
 }
 
 /** Values of a map, made when they are first asked for. */
@@ -88,6 +86,11 @@ class Table extends Map {
     if (!this.has(key)) this.set(key, this.make(...parts));
     return this.get(key);
   }
+}
+
+/** "file:line"; line 0 is that of code that is at no line. */
+function lineText(file, line) {
+  return `${files[file].name}:${line === 0 ? "?" : line}`;
 }
 
 /** Source lines by "file:line", with the instructions of each. */
@@ -111,9 +114,9 @@ for (const entry of instructions) {
   const callers = chainOf(entry.frame).map((f) => profile.frames[f].function);
   for (const caller of new Set(callers))
     functions.entry(caller, caller).inclusive += entry.cycles;
-  if (frame.file === undefined || frame.line === undefined) continue;
-  const key = `${frame.file}:${frame.line}`;
-  const line = lines.entry(key, frame.file, frame.line);
+  if (frame.file === undefined) continue;
+  const number = frame.line ?? 0;
+  const line = lines.entry(`${frame.file}:${number}`, frame.file, number);
   addTo(line.counts, entry.counts);
   line.cycles += entry.cycles;
   line.functions.add(frame.function);

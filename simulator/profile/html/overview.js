@@ -29,7 +29,7 @@ function hottestLines() {
   const list = largest(lines.values(), 10).map((line) => ({
     ...line, name: "",
     code: el("span.code", {},
-      el("span.place", {}, `${files[line.file].name}:${line.line}`), " ",
+      el("span.place", {}, lineText(line.file, line.line)), " ",
       ...highlighted(sourceOf(line.file, line.line))),
   }));
   return hottestList(list, list[0]?.cycles ?? 1, (entry) =>

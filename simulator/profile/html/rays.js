@@ -122,7 +122,7 @@ function cacheSections(cache) {
 }
 
 function raysView() {
-  const rays = profile.ray_profile;
+  const rays = statistics?.ray_profile;
   const chart = rateChart();
   const histogram = rateHistogram();
   const empty = !rays && !chart && !histogram;

@@ -22,7 +22,7 @@ function pathElement({ chain, cycles }, of) {
   const steps = chain.slice(1).map((frame) => {
     const { file, line } = profile.frames[frame];
     return el("a", {
-      href: file === undefined ? "#source" : sourceLink(file, line),
+      href: file === undefined ? "#source" : sourceLink(file, line ?? 0),
       title: functionName(profile.frames[frame].function),
     }, `${shortName(functionName(profile.frames[frame].function))} `,
     el("small", {}, placeText(frame)));
@@ -110,7 +110,7 @@ class SourceView {
     }
     if (file !== this.file) this.showFile(file);
     const wanted = lineText === undefined ? null : Number(lineText);
-    if (wanted) this.select(wanted);
+    if (wanted !== null) this.select(wanted);
   }
 
   showFile(file) {
@@ -122,12 +122,14 @@ class SourceView {
       el("span", {}, `${percent(file.cycles, whole)} of all thread-cycles`),
       text ? "" : el("em", {}, " The file could not be read; lines only."));
     const numbers = text ? text.map((_, index) => index + 1)
-      : [...file.lines.keys()].sort((a, b) => a - b);
+      : [...file.lines.keys()].filter(Boolean).sort((a, b) => a - b);
+    if (file.lines.has(0)) numbers.unshift(0);
     const comments = commentLines(text ?? []);
     this.rows.clear();
     this.code.replaceChildren(...numbers.map((number) => {
-      const row = this.lineRow(file, number, text?.[number - 1] ?? "",
-        comments[number - 1]);
+      const code = number === 0 ? "code of no line" : text?.[number - 1] ?? "";
+      const row = this.lineRow(file, number, code,
+        number === 0 || comments[number - 1]);
       this.rows.set(number, row);
       return row;
     }));
@@ -149,7 +151,7 @@ class SourceView {
     usesBar(line.counts, file.hottest),
     el("span.executed", { title: `${count(line.counts[0])} instructions` },
       short(line.counts[0])),
-    el("span.line-number", {}, String(number)), code);
+    el("span.line-number", {}, number === 0 ? "?" : String(number)), code);
   }
 
   select(number) {
