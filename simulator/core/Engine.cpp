@@ -99,6 +99,15 @@ void Engine::setRecorder(ExecutionRecorder &Recorder) {
   Implementation->setRecorder(&Recorder);
 }
 
+void Engine::setIssueObserver(IssueObserver *Observer,
+                              const std::vector<bool> &Words) {
+  Implementation->setIssueObserver(Observer, Words);
+}
+
+void Engine::setCommitObserver(CommitObserver *Observer) {
+  Implementation->setCommitObserver(Observer);
+}
+
 void Engine::setInitialState(std::span<const ArchitecturalState> States) {
   Implementation->setInitialState(States);
 }
@@ -122,6 +131,22 @@ void Engine::serialize(Archive &A) { Implementation->serialize(A); }
 
 uint32_t Engine::registerOf(uint32_t Thread, unsigned Register) const {
   return Implementation->thread(Thread).Registers[Register];
+}
+
+const Thread &Engine::thread(uint32_t Number) const {
+  return Implementation->thread(Number);
+}
+
+ThreadPlace Engine::placeOf(uint32_t Number) const {
+  return Implementation->placeOf(Number);
+}
+
+void Engine::setRegister(uint32_t Number, unsigned Register, uint32_t Value) {
+  Implementation->setRegister(Number, Register, Value);
+}
+
+void Engine::setNextWord(uint32_t Number, uint32_t Word) {
+  Implementation->setNextWord(Number, Word);
 }
 
 int32_t Engine::statusOf(uint32_t Thread) const {

@@ -39,7 +39,8 @@ struct Progress {
   uint32_t HaltedThreads = 0;
 };
 
-/// How a run ended. After the first three run() does nothing more.
+/// How a run ended. After the first two run() does nothing more, nor after the
+/// third without a later limit.
 struct RunResult {
   enum EndKind {
     /// All threads halted.
@@ -65,7 +66,9 @@ using ProgressFunction = std::function<void(const Progress &)>;
 
 /// How long to run. What is not set limits nothing.
 struct RunLimits {
-  /// Ends the run after this many cycles since its start; 0: no limit.
+  /// Ends the run after this many cycles since its start; 0: no limit. A run
+  /// that goes on from a limit inside of an arbitration window is not the one
+  /// without that limit: what left the TMs has taken effect earlier.
   uint64_t MaxCycles = 0;
   /// Pauses at the first window boundary that is not before this cycle; 0: no
   /// pause.
@@ -80,8 +83,19 @@ struct RunLimits {
 };
 
 class CodeGenerator;
+class CommitObserver;
 class ExecutionRecorder;
 class EngineImplementation;
+class IssueObserver;
+
+/// Where a thread is between two runs.
+struct ThreadPlace {
+  /// The word of the text to go on with.
+  uint32_t Word = 0;
+  /// The first cycle in which it may issue it; NeverCycle if that is not known
+  /// yet.
+  uint64_t Cycle = 0;
+};
 
 /// Simulates a program on a chip, cycle by cycle. Cycles, memory, output and
 /// statistics depend on nothing but chip, program and memory contents.
@@ -115,6 +129,13 @@ public:
   /// before the first run(). It must outlive the runs.
   void setRecorder(ExecutionRecorder &Recorder);
 
+  /// Who sees the instructions of the \p Words that are set, of all words of
+  /// the text, from the next run() on; null: nobody. Not with a code generator.
+  void setIssueObserver(IssueObserver *Observer,
+                        const std::vector<bool> &Words);
+  /// Who sees writes to global memory; null: nobody.
+  void setCommitObserver(CommitObserver *Observer);
+
   /// Where the threads, by their number, begin; instead of at the program's
   /// entry with registers and local stores of zeros. Before the first run().
   void setInitialState(std::span<const ArchitecturalState> States);
@@ -139,6 +160,12 @@ public:
 
   /// A register of a thread, 0..31 integer, 32..63 float.
   uint32_t registerOf(uint32_t Thread, unsigned Register) const;
+  /// A thread between two runs.
+  const Thread &thread(uint32_t Number) const;
+  ThreadPlace placeOf(uint32_t Number) const;
+  /// Change it. A register is ready at once; r0 stays 0.
+  void setRegister(uint32_t Number, unsigned Register, uint32_t Value);
+  void setNextWord(uint32_t Number, uint32_t Word);
   /// Status that a thread halted with.
   int32_t statusOf(uint32_t Thread) const;
 

@@ -26,6 +26,9 @@ public:
   virtual void setHostThreads(unsigned Count) = 0;
   virtual void setObserver(ProfileObserver *Observer) = 0;
   virtual void setOutput(OutputFunction Function) = 0;
+  virtual void setIssueObserver(IssueObserver *Observer,
+                                const std::vector<bool> &Words) = 0;
+  virtual void setCommitObserver(CommitObserver *Observer) = 0;
   virtual void setInitialState(std::span<const ArchitecturalState> States) = 0;
   virtual void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) = 0;
   virtual void setRecorder(ExecutionRecorder *Recorder) = 0;
@@ -36,6 +39,10 @@ public:
   virtual Statistics statistics() const = 0;
   virtual void serialize(Archive &A) = 0;
   virtual const Thread &thread(uint32_t Number) const = 0;
+  virtual ThreadPlace placeOf(uint32_t Number) const = 0;
+  virtual void setRegister(uint32_t Number, unsigned Register,
+                           uint32_t Value) = 0;
+  virtual void setNextWord(uint32_t Number, uint32_t Word) = 0;
 };
 
 using EngineFactory = std::unique_ptr<EngineImplementation> (*)(

@@ -37,11 +37,31 @@ void RecorderPart::issued(const Thread &T, const IssuedInstruction &Issued) {
     Owner.jump(Where, Issued, *this);
 }
 
+void RecorderPart::served(const AnsweredRequest &Answer) {
+  ServedAccesses &Sum = Served[Answer.Word][unsigned(Answer.Level)];
+  ++Sum.Accesses;
+  Sum.Cycles += Answer.Ready - Answer.Issued;
+  if (!Owner.IsTraced.empty() && Owner.IsTraced[Answer.Thread])
+    Answers.push_back(Answer);
+}
+
 ExecutionRecorder::ExecutionRecorder(const ChipConfig &Chip,
                                      const Program &Text,
                                      std::vector<uint32_t> Entries)
     : Chip(Chip), Text(Text), Functions(Text, std::move(Entries)),
-      Transfers(transfersOf(Text, Functions)), Ledgers(Chip.TmCount) {}
+      Transfers(transfersOf(Text, Functions)) {}
+
+void ExecutionRecorder::traceRequests(uint32_t Thread) {
+  IsTraced.resize(Chip.threadCount());
+  IsTraced[Thread] = true;
+}
+
+std::vector<AnsweredRequest> ExecutionRecorder::tracedRequests() const {
+  std::vector<AnsweredRequest> Result;
+  for (const RecorderPart &Part : Parts)
+    Result.insert(Result.end(), Part.Answers.begin(), Part.Answers.end());
+  return Result;
+}
 
 void ExecutionRecorder::begin(const Thread &T, uint32_t Word) {
   if (Parts.empty())

@@ -17,7 +17,6 @@
 #include "simulator/chip/ChipConfig.h"
 #include "simulator/core/CallTree.h"
 #include "simulator/core/FunctionMap.h"
-#include "simulator/core/RequestLedger.h"
 #include "simulator/core/Thread.h"
 #include "simulator/stats/ExecutionRecord.h"
 
@@ -39,6 +38,16 @@ struct IssuedInstruction {
   uint64_t BranchLoss = 0;
 };
 
+/// A request to the memory system that has been answered.
+struct AnsweredRequest {
+  uint32_t Thread = 0;
+  /// Its instruction.
+  uint32_t Word = 0;
+  uint64_t Issued = 0;
+  uint64_t Ready = 0;
+  ServedBy Level = ServedBy::Memory;
+};
+
 class ExecutionRecorder;
 
 /// What one host thread records.
@@ -49,13 +58,8 @@ public:
 
   /// A thread has issued an instruction that is observed.
   void issued(const Thread &T, const IssuedInstruction &Issued);
-  /// A request was answered by a level in \p Cycle.
-  void served(const RequestLedger::Entry &Request, ServedBy Level,
-              uint64_t Cycle) {
-    ServedAccesses &Sum = Served[Request.Word][unsigned(Level)];
-    ++Sum.Accesses;
-    Sum.Cycles += Cycle - Request.Cycle;
-  }
+  /// A request has been answered.
+  void served(const AnsweredRequest &Answer);
 
 private:
   friend ExecutionRecorder;
@@ -74,6 +78,7 @@ private:
   }
 
   ExecutionRecorder &Owner;
+  std::vector<AnsweredRequest> Answers;
   std::vector<NodeCounts> Nodes;
   std::vector<std::array<ServedAccesses, NumServedBy>> Served;
 };
@@ -92,6 +97,11 @@ public:
     return Transfers[Word] != Transfer::None;
   }
 
+  /// Also keeps the answers to requests of a thread.
+  void traceRequests(uint32_t Thread);
+  /// Those that were kept, in no order.
+  std::vector<AnsweredRequest> tracedRequests() const;
+
   // What an engine calls.
 
   /// A thread will begin at this word.
@@ -101,7 +111,6 @@ public:
   RecorderPart &addPart() {
     return Parts.emplace_back(*this, Transfers.size());
   }
-  RequestLedger &ledger(uint32_t Tm) { return Ledgers[Tm]; }
 
   /// What was recorded up to now, where the run has these statistics.
   ExecutionRecord record(const Statistics &Now) const;
@@ -140,10 +149,11 @@ private:
   const Program &Text;
   const FunctionMap Functions;
   const std::vector<Transfer> Transfers;
+  /// Of all threads whether their requests are kept; empty for none.
+  std::vector<bool> IsTraced;
   CallTree Tree;
   std::vector<ThreadCalls> Threads;
   std::deque<RecorderPart> Parts;
-  std::vector<RequestLedger> Ledgers;
 };
 
 } // namespace tp

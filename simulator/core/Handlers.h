@@ -30,8 +30,8 @@ template <class Word, Subnormals Mode> struct Handlers {
     return Table[unsigned(Op)];
   }
 
-  /// Likewise, and tells the recorder of each issue. Instructions that take no
-  /// time are not issued.
+  /// Likewise, and tells the observer and the recorder of each issue.
+  /// Instructions that take no time are not issued.
   static Handler<Word> observed(Opcode Op) {
     static constexpr Handler<Word> Table[] = {
 #define TP_HANDLER_OF(NAME) handlerOf<Opcode::NAME, true>(),
@@ -89,10 +89,14 @@ private:
     uint8_t Destination = S->Instruction.Destination;
     Instruction Run(S->Instruction, T->Registers.data());
     Context C(*T, *R, pcOf(S, R), Cycle, Destination, S->Result);
+    if constexpr (IsObserved)
+      announceIssue(T, S, Cycle, R);
     Run.run(C);
     if (C.outcome() == Outcome::Trap) [[unlikely]]
       return stopAtTrap(T, R, pcOf(S, R), Cycle, C.trapReason(),
                         C.trapAddress());
+    if constexpr (IsObserved)
+      withdrawIssue(T, R, C.outcome());
     if (C.outcome() == Outcome::Blocked) [[unlikely]]
       return block(T, S, Cycle, R, C.blocker());
     if (C.outcome() == Outcome::StoreBufferFull) [[unlikely]]
@@ -127,10 +131,27 @@ private:
     TP_TAIL_CALL S->Execute(TP_HANDLER_ARGUMENTS);
   }
 
+  [[gnu::noinline]] static void announceIssue(const Thread *T,
+                                              const Slot<Word> *S,
+                                              uint64_t Cycle,
+                                              TmRunner<Word> *R) {
+    if (R->Issues)
+      R->Issues->issuing(*T, wordOf(S, R), R->Epoch + Cycle, *R);
+  }
+
+  template <class Outcome>
+  static void withdrawIssue(const Thread *T, TmRunner<Word> *R, Outcome Kind) {
+    if (R->Issues &&
+        (Kind == Outcome::Blocked || Kind == Outcome::StoreBufferFull))
+      R->Issues->postponed(*T);
+  }
+
   template <class Context>
   [[gnu::noinline]] static void recordIssue(const Thread *T, TmRunner<Word> *R,
                                             uint32_t Number, uint64_t Cycle,
                                             const Context &C) {
+    if (!R->Record)
+      return;
     bool IsTaken = C.outcome() == Context::Outcome::Branch;
     R->Record->issued(*T,
                       {.Word = Number,

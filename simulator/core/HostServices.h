@@ -16,7 +16,7 @@
 namespace tp {
 
 /// Global memory for a stream operation; remembers the first bad access.
-class SharedStreamMemory final : public StreamMemory {
+class SharedStreamMemory : public StreamMemory {
 public:
   SharedStreamMemory(const AddressSpace &Space, uint32_t Descriptor)
       : Space(Space), Descriptor(Descriptor) {}

@@ -7,6 +7,7 @@
 #include "simulator/core/ThreadRequests.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tp {
 
@@ -30,6 +31,35 @@ void ThreadRequests::noteStore(const MemoryAnswer &Answer) {
   StoresGoneOn -= Entry.GoneOn;
   Entry.FreeFrom = Answer.ReadyCycle;
   LastStoreAnswer = std::max(LastStoreAnswer, Answer.ReadyCycle);
+}
+
+void ThreadRequests::recordOrigins() {
+  Recorded.resize(1);
+  Recorded.front().Stores.resize(Stores.size());
+}
+
+void ThreadRequests::keepOrigin(uint8_t Register, uint64_t Cycle) {
+  const RegisterRequest &Request = Registers[Register];
+  Origins &Kept = Recorded.front();
+  Kept.Superseded.push_back(
+      {uint32_t(Request.Number) << RegisterBits | Register,
+       {Kept.Words[Register], Request.issuedBefore(Cycle)}});
+}
+
+ThreadRequests::Origin ThreadRequests::originOf(const MemoryAnswer &Answer) {
+  Origins &Kept = Recorded.front();
+  uint8_t Register = registerOf(Answer.Ticket);
+  if (Register == NumRegisters)
+    return Kept.Stores[Answer.Ticket >> RegisterBits];
+  const RegisterRequest &Request = Registers[Register];
+  if (Request.Number == Answer.Ticket >> RegisterBits)
+    return {Kept.Words[Register], Request.issuedBefore(Answer.ReadyCycle)};
+  auto Found = std::ranges::find(Kept.Superseded, Answer.Ticket,
+                                 &std::pair<uint32_t, Origin>::first);
+  assert(Found != Kept.Superseded.end() && "an answer without a request");
+  Origin Result = Found->second;
+  Kept.Superseded.erase(Found);
+  return Result;
 }
 
 void ThreadRequests::serialize(Archive &A) {

@@ -64,12 +64,19 @@ MemoryRequest TmRunnerState::request(const Thread &T, RequestKind Kind,
   return Result;
 }
 
+void TmRunnerState::ask(const MemoryRequest &Request, Thread &T,
+                        uint32_t Word) {
+  if (Record)
+    T.Requests->setOrigin(Request.Ticket, {Word, Request.Cycle});
+  ask(Request);
+}
+
 ReadyWord TmRunnerState::requestLoad(Thread &T, uint32_t Word,
                                      uint8_t Destination, Opcode Op,
                                      uint64_t Cycle, uint32_t Address,
                                      unsigned Bytes) {
   uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, false);
-  ask(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket), Word);
+  ask(request(T, RequestKind::Load, Cycle, Address, Bytes, Ticket), T, Word);
   return ready::pending(Op);
 }
 
@@ -77,7 +84,7 @@ ReadyWord TmRunnerState::requestAtomic(Thread &T, uint32_t Word,
                                        uint8_t Destination, Opcode Op,
                                        uint64_t Cycle, uint32_t Address) {
   uint32_t Ticket = T.Requests->addRegister(Destination, Epoch + Cycle, true);
-  ask(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket), Word);
+  ask(request(T, RequestKind::Atomic, Cycle, Address, 4, Ticket), T, Word);
   return ready::pending(Op);
 }
 
@@ -87,7 +94,7 @@ bool TmRunnerState::requestStore(Thread &T, uint32_t Word, uint64_t Cycle,
     return false;
   ask(request(T, RequestKind::Store, Cycle, Address, Bytes,
               T.Requests->addStore()),
-      Word);
+      T, Word);
   return true;
 }
 

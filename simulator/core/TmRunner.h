@@ -9,6 +9,7 @@
 
 #include "runtime/include/tp/profile.h"
 #include "simulator/core/AddressSpace.h"
+#include "simulator/core/EngineObservers.h"
 #include "simulator/core/ExecutionRecorder.h"
 #include "simulator/core/InstructionCache.h"
 #include "simulator/core/WindowLog.h"
@@ -76,10 +77,10 @@ struct TmRunnerState {
   const uint32_t *LineOf = nullptr;
   std::optional<PendingTrap> FirstTrap;
 
-  /// What a recorder wants to know, and the requests of the TM at hand; null
-  /// without one.
+  /// What a recorder wants to know; null without one.
   RecorderPart *Record = nullptr;
-  RequestLedger *Ledger = nullptr;
+  /// Who sees instructions before they are issued, or none.
+  IssueObserver *Issues = nullptr;
 
   /// Threads that arrived at the barrier, and that halted, in this window.
   uint32_t Arrived = 0;
@@ -168,13 +169,8 @@ private:
     ++Unanswered;
     Memory->request(Request);
   }
-  /// Likewise, for the instruction \p Word.
-  void ask(const MemoryRequest &Request, uint32_t Word) {
-    if (Ledger)
-      Ledger->add(Request.Tp, Request.Ticket, Request.Cycle, Word,
-                  Request.Address);
-    ask(Request);
-  }
+  /// Likewise, for the instruction \p Word of a thread.
+  void ask(const MemoryRequest &Request, Thread &T, uint32_t Word);
   MemoryRequest request(const Thread &T, RequestKind Kind, uint64_t Cycle,
                         uint32_t Address, unsigned Bytes,
                         uint32_t Ticket) const;

@@ -243,6 +243,12 @@ private:
         NextCycles[Tp] = waiting::resume(&Tps[Tp], &R);
   }
 
+  void recordServed(const Thread &T, const MemoryAnswer &Answer) {
+    ThreadRequests::Origin From = T.Requests->originOf(Answer);
+    R.Record->served(
+        {T.Number, From.Word, From.Cycle, Answer.ReadyCycle, Answer.Level});
+  }
+
   void takeAnswers() {
     for (const MemoryAnswer &Answer : R.Answers) {
       R.Unanswered -= Answer.ReadyCycle != AnsweredLater;
@@ -255,9 +261,8 @@ private:
       Thread &T = Tps[Answer.Tp];
       ThreadRequests &Requests = *T.Requests;
       bool Known = Answer.ReadyCycle != AnsweredLater;
-      if (R.Ledger && Known)
-        R.Record->served(R.Ledger->take(Answer.Tp, Answer.Ticket), Answer.Level,
-                         Answer.ReadyCycle);
+      if (R.Record && Known)
+        recordServed(T, Answer);
       uint8_t Register = ThreadRequests::registerOf(Answer.Ticket);
       if (Register == NumRegisters) {
         Requests.noteStore(Answer);

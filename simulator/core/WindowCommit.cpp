@@ -26,6 +26,32 @@ void WindowCommit::store(uint32_t Address, uint32_t Value, unsigned Bytes) {
   std::memcpy(Space.Global + Address, &Value, Bytes);
 }
 
+void WindowCommit::announce(const GlobalAccess &Access, uint64_t WindowStart,
+                            uint32_t Address, uint32_t Bytes) const {
+  if (Observer)
+    Observer->writing({WindowStart + (Access.Key >> 32), Access.Owner->Number,
+                       Access.Pc, Address, Bytes});
+}
+
+namespace {
+/// Tells of each word before it changes.
+template <class Function>
+class AnnouncedStreamMemory final : public SharedStreamMemory {
+public:
+  AnnouncedStreamMemory(const AddressSpace &Space, uint32_t Descriptor,
+                        Function Announce)
+      : SharedStreamMemory(Space, Descriptor), Announce(std::move(Announce)) {}
+
+  void store(uint32_t Address, uint32_t Value) override {
+    Announce(Address);
+    SharedStreamMemory::store(Address, Value);
+  }
+
+private:
+  Function Announce;
+};
+} // namespace
+
 void WindowCommit::commit(uint64_t WindowStart,
                           std::optional<PendingTrap> &FirstTrap) {
   std::sort(Order.begin(), Order.end());
@@ -36,15 +62,19 @@ void WindowCommit::commit(uint64_t WindowStart,
     bool Failed = false;
     switch (Access.Kind) {
     case GlobalAccess::Store:
+      announce(Access, WindowStart, Access.Address, Access.Bytes);
       store(Access.Address, Access.Value, Access.Bytes);
       continue;
     case GlobalAccess::Atomic:
+      announce(Access, WindowStart, Access.Address, 4);
       Result = load(Access.Address);
       store(Access.Address,
             Access.AtomicOperation(Result, Access.Value, Access.Extra), 4);
       break;
     case GlobalAccess::Stream: {
-      SharedStreamMemory Stream(Space, Access.Address);
+      AnnouncedStreamMemory Stream(
+          Space, Access.Address,
+          [&](uint32_t Address) { announce(Access, WindowStart, Address, 4); });
       Result = Access.StreamOperation(Stream, Access.Address, Access.Value);
       Failed = Stream.failed();
       Bad.Kind = Stream.kind();

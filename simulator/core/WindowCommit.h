@@ -9,6 +9,7 @@
 
 #include "simulator/core/AddressSpace.h"
 #include "simulator/core/Engine.h"
+#include "simulator/core/EngineObservers.h"
 #include "simulator/core/WindowLog.h"
 
 #include <optional>
@@ -23,6 +24,7 @@ public:
   explicit WindowCommit(const AddressSpace &Space) : Space(Space) {}
 
   void setOutput(OutputFunction Function) { Output = std::move(Function); }
+  void setObserver(CommitObserver *NewObserver) { Observer = NewObserver; }
 
   /// Adds the accesses of one log; they must stay where they are until
   /// commit().
@@ -42,8 +44,12 @@ private:
 
   uint32_t load(uint32_t Address) const;
   void store(uint32_t Address, uint32_t Value, unsigned Bytes);
+  /// Tells the observer.
+  void announce(const GlobalAccess &Access, uint64_t WindowStart,
+                uint32_t Address, uint32_t Bytes) const;
   const AddressSpace &Space;
   OutputFunction Output;
+  CommitObserver *Observer = nullptr;
   std::vector<Entry> Order;
 };
 

@@ -47,6 +47,11 @@ public:
   }
   void setCodeGenerator(std::unique_ptr<CodeGenerator> Generator) override;
   void setRecorder(ExecutionRecorder *NewRecorder) override;
+  void setIssueObserver(IssueObserver *Observer,
+                        const std::vector<bool> &Words) override;
+  void setCommitObserver(CommitObserver *Observer) override {
+    Commit.setObserver(Observer);
+  }
   void setInitialState(std::span<const ArchitecturalState> States) override;
   RunResult run(const RunLimits &Limits) override;
   uint64_t cycles() const override { return EndCycle; }
@@ -59,9 +64,18 @@ public:
   const Thread &thread(uint32_t Number) const override {
     return Threads[Number];
   }
+  ThreadPlace placeOf(uint32_t Number) const override {
+    return {nextWord(Threads[Number]), NextCycles[Number]};
+  }
+  void setRegister(uint32_t Number, unsigned Register, uint32_t Value) override;
+  void setNextWord(uint32_t Number, uint32_t NextWord) override;
 
 private:
   using Runner = TmRunner<Word>;
+
+  uint32_t nextWord(const Thread &T) const {
+    return uint32_t(static_cast<const Slot<Word> *>(T.Resume) - Slots.data());
+  }
 
   /// As many runners and host threads as are wanted.
   void prepareHostThreads();
@@ -171,6 +185,7 @@ private:
   /// Or none.
   std::unique_ptr<CodeGenerator> Generator;
   ExecutionRecorder *Recorder = nullptr;
+  IssueObserver *Issues = nullptr;
 };
 
 template <class Word, bool FlushToZero>
@@ -238,10 +253,24 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::setRecorder(
     ExecutionRecorder *NewRecorder) {
   Recorder = NewRecorder;
+  for (ThreadRequests &Thread : Requests)
+    Thread.recordOrigins();
   for (uint32_t I = 0; I != Opcodes.size(); ++I)
     if (Recorder->isObserved(I))
       (Fetched.empty() ? Slots[I].Execute : Fetched[I]) =
           handlerOf<Word, FlushToZero>(Text, I, /*IsObserved=*/true);
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setIssueObserver(
+    IssueObserver *Observer, const std::vector<bool> &Words) {
+  assert(!Generator && "generated code does not announce what it issues");
+  Issues = Observer;
+  for (uint32_t I = 0; I != Opcodes.size(); ++I)
+    (Fetched.empty() ? Slots[I].Execute : Fetched[I]) =
+        handlerOf<Word, FlushToZero>(Text, I,
+                                     (Observer && Words[I]) ||
+                                         (Recorder && Recorder->isObserved(I)));
 }
 
 template <class Word, bool FlushToZero>
@@ -283,12 +312,14 @@ bool WindowEngine<Word, FlushToZero>::enterWindow(uint64_t Limit) {
   if (Hierarchy)
     Next = std::min(Next, Hierarchy->nextEvent());
   uint64_t Window = Next / Chip.ArbitrationWindow;
-  WindowStart = Window * Chip.ArbitrationWindow;
+  const uint64_t Begin = Window * Chip.ArbitrationWindow;
+  // A limit may have ended the last run inside of this window.
+  WindowStart = std::max(Begin, WindowEnd);
   if (WindowStart >= Limit) {
     WindowEnd = Limit;
     return false;
   }
-  WindowEnd = std::min(WindowStart + Chip.ArbitrationWindow, Limit);
+  WindowEnd = std::min(Begin + Chip.ArbitrationWindow, Limit);
   FirstPriority = uint32_t(Window % Chip.TpsPerTm);
   if (WindowStart - Epoch > ready::CycleLimit / 2)
     moveEpoch();
@@ -374,8 +405,6 @@ uint64_t WindowEngine<Word, FlushToZero>::runTm(Runner &R, uint32_t Tm) {
   size_t Begin = size_t(Tm) * Chip.TpsPerTm;
   if (!Icaches.empty())
     R.Icache = &Icaches[Tm];
-  if (Recorder)
-    R.Ledger = &Recorder->ledger(Tm);
   TmTurn<Word> Turn(R, Tm, std::span(Threads).subspan(Begin, Chip.TpsPerTm),
                     std::span(NextCycles).subspan(Begin, Chip.TpsPerTm),
                     FirstPriority, InitialFree);
@@ -549,9 +578,12 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
 template <class Word, bool FlushToZero>
 RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
   using Clock = std::chrono::steady_clock;
-  if (Final)
+  if (Final && (Final->End != RunResult::CycleLimit ||
+                (Limits.MaxCycles != 0 && Limits.MaxCycles <= WindowEnd)))
     return *Final;
   prepareHostThreads();
+  for (const std::unique_ptr<Runner> &R : Runners)
+    R->Issues = Issues;
   if (Recorder && !Recorder->hasBegun())
     for (const Thread &T : Threads)
       Recorder->begin(T, uint32_t(static_cast<const Slot<Word> *>(T.Resume) -

@@ -38,6 +38,30 @@ void WindowEngine<Word, FlushToZero>::setInitialState(
 }
 
 template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setRegister(uint32_t Number,
+                                                  unsigned Register,
+                                                  uint32_t Value) {
+  if (Register == 0)
+    return;
+  Threads[Number].Registers[Register] = Value;
+  Threads[Number].Ready[Register] = 0;
+}
+
+template <class Word, bool FlushToZero>
+void WindowEngine<Word, FlushToZero>::setNextWord(uint32_t Number,
+                                                  uint32_t NextWord) {
+  Thread &T = Threads[Number];
+  T.Resume = &Slots[NextWord];
+  T.Line = NoLine;
+  if (!T.Requests || (T.Requests->waitsFor() != Awaited::Sources &&
+                      T.Requests->waitsFor() != Awaited::Line))
+    return;
+  T.Requests->resume();
+  NextCycles[Number] = WindowEnd;
+  Schedule.wake(Number / Chip.TpsPerTm, WindowEnd);
+}
+
+template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::serialize(Archive &A, Thread &T) {
   auto Resume =
       uint32_t(static_cast<const Slot<Word> *>(T.Resume) - Slots.data());
@@ -91,6 +115,10 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
   A(Waiting);
   A(Halted);
   A(EndCycle);
+  if (A.isRestoring()) {
+    Final.reset();
+    FirstTrap.reset();
+  }
   for (InstructionCache &Icache : Icaches)
     A(Icache);
   if (Hierarchy)
