@@ -89,6 +89,7 @@ public:
     Result.MaxCycles = number(OPT_max_cycles, 1, INT64_MAX, 0);
     Result.ChipSettings = Arguments.getAllArgValues(OPT_set);
     excludeComparison();
+    readTrace(Result);
     readStatistics(Result);
     readLongRun(Result);
     readCacheTrace(Result);
@@ -219,6 +220,44 @@ private:
       for (OptionId Id : {OPT_regions, OPT_checkpoint, OPT_restore})
         exclude(Profile, Id, "a profile is of a whole run");
     }
+  }
+
+  void readTrace(Options &Result) {
+    if (!Arguments.hasArg(OPT_trace_tps, OPT_trace_output, OPT_trace_cycles))
+      return;
+    TraceRequest &Request = Result.Trace.emplace();
+    if (!Arguments.hasArg(OPT_trace_tps) || !Arguments.hasArg(OPT_trace_output))
+      error("a trace needs --trace-tps <tm.tp,...>, what to trace, and "
+            "--trace-output <file>");
+    Request.Output = path(OPT_trace_output);
+    for (StringRef Text :
+         split(Arguments.getLastArgValue(OPT_trace_tps), ',')) {
+      auto [Tm, Tp] = Text.split('.');
+      TracedTp Which;
+      if (Tm.getAsInteger(10, Which.Tm) || Tp.getAsInteger(10, Which.Tp))
+        error("--trace-tps '" + Text +
+              "': expected the numbers of a TM and of a TP in it, <tm.tp>");
+      Request.Tps.push_back(Which);
+    }
+    if (const Arg *Argument = Arguments.getLastArg(OPT_trace_cycles)) {
+      auto [First, End] = StringRef(Argument->getValue()).split(':');
+      if (First.getAsInteger(10, Request.FirstCycle) ||
+          End.getAsInteger(10, Request.EndCycle) ||
+          Request.FirstCycle >= Request.EndCycle)
+        error(Twine("--trace-cycles '") + Argument->getValue() +
+              "': expected <first>:<end>, the first cycle and the one behind "
+              "the last");
+    }
+    for (OptionId Trace : {OPT_trace_tps, OPT_trace_output}) {
+      exclude(Trace, OPT_functional, "the functional mode has no cycles");
+      for (OptionId Id : {OPT_checkpoint, OPT_restore, OPT_fast_forward})
+        exclude(Trace, Id, "a trace follows its threads from the first cycle");
+    }
+    if (const Arg *Engine = Arguments.getLastArg(OPT_engine);
+        Engine && Result.GenerateCode)
+      error("--trace-tps and --engine=jit exclude each other: generated code "
+            "is not traced");
+    Result.GenerateCode = false;
   }
 
   void readProfileTable(ProfileTableOptions &Table) {

@@ -55,6 +55,21 @@ struct ProfileRequest {
   ProfileTableOptions Table;
 };
 
+/// A TP of a chip.
+struct TracedTp {
+  uint32_t Tm = 0;
+  uint32_t Tp = 0;
+};
+
+/// What to trace cycle by cycle.
+struct TraceRequest {
+  std::vector<TracedTp> Tps;
+  /// The cycles from the first to before the second.
+  uint64_t FirstCycle = 0;
+  uint64_t EndCycle = 10000;
+  std::string Output;
+};
+
 /// What the user asked for.
 struct Options {
   bool Help = false;
@@ -65,6 +80,7 @@ struct Options {
   /// Then there is no run.
   std::optional<ComparisonRequest> Comparison;
   std::optional<ProfileRequest> Profile;
+  std::optional<TraceRequest> Trace;
   std::string Program;
   std::vector<std::string> ProgramArguments;
   std::string Chip;

@@ -67,6 +67,12 @@ defm profile_html : LongValue<"profile-html", "<file.html>",
                           "Write a report to look at in a browser">;
 defm read_profile : LongValue<"read-profile", "<file>",
                           "Show a profile that was written, run nothing">;
+defm trace_tps : LongValue<"trace-tps", "<tm.tp,...>",
+                       "Trace these TPs cycle by cycle">;
+defm trace_cycles : LongValue<"trace-cycles", "<first>:<end>",
+                          "The cycles to trace (default: 0:10000)">;
+defm trace_output : LongValue<"trace-output", "<file>",
+                          "Write the trace, for Perfetto">;
 def compare : LongFlag<"compare",
                        "Compare two runs: tpsim --compare before.json after.json,"
                        " which --stats or --profile has written">;

@@ -31,11 +31,10 @@ static std::vector<uint32_t> functionEntries(const RunSetup &Loaded) {
   return Entries;
 }
 
-ProfileTask::ProfileTask(const ChipConfig &Chip, const RunSetup &Loaded,
-                         Engine &Machine)
-    : Loaded(Loaded), Recorder(Chip, Loaded.Text, functionEntries(Loaded)),
-      Tms(Chip) {
-  Machine.setRecorder(Recorder);
+std::unique_ptr<ExecutionRecorder> makeRecorder(const ChipConfig &Chip,
+                                                const RunSetup &Loaded) {
+  return std::make_unique<ExecutionRecorder>(Chip, Loaded.Text,
+                                             functionEntries(Loaded));
 }
 
 llvm::Error ProfileTask::pause(Engine &Machine, RunResult::EndKind Now) {

@@ -15,11 +15,17 @@
 
 namespace tp {
 
-/// Records what a profile needs beyond the statistics. It must exist before the
-/// machine gets its code generator and outlive it.
+/// What a profile or trace needs beyond the statistics.
+std::unique_ptr<ExecutionRecorder> makeRecorder(const ChipConfig &Chip,
+                                                const RunSetup &Loaded);
+
+/// Looks at the run from time to time, for its profile.
 class ProfileTask : public RunTask {
 public:
-  ProfileTask(const ChipConfig &Chip, const RunSetup &Loaded, Engine &Machine);
+  /// \p Recorder is the machine's.
+  ProfileTask(const ChipConfig &Chip, const RunSetup &Loaded,
+              const ExecutionRecorder &Recorder)
+      : Loaded(Loaded), Recorder(Recorder), Tms(Chip) {}
 
   uint64_t nextPause() const override { return Tms.nextLook(); }
   llvm::Error pause(Engine &Machine, RunResult::EndKind Now) override;
@@ -29,7 +35,7 @@ public:
 
 private:
   const RunSetup &Loaded;
-  ExecutionRecorder Recorder;
+  const ExecutionRecorder &Recorder;
   UtilisationSampler Tms;
 };
 

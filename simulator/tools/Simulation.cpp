@@ -20,6 +20,7 @@
 #include "simulator/tools/RegionTask.h"
 #include "simulator/tools/RunLoop.h"
 #include "simulator/tools/RunResults.h"
+#include "simulator/tools/TraceTask.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/WithColor.h"
@@ -40,6 +41,7 @@ struct RunTasks {
   std::unique_ptr<RegionTask> Regions;
   std::unique_ptr<IntervalTask> Intervals;
   std::unique_ptr<ProfileTask> Profile;
+  std::unique_ptr<TraceTask> Trace;
 
   SmallVector<RunTask *> all() const {
     SmallVector<RunTask *> Tasks;
@@ -99,6 +101,8 @@ static Expected<int> report(const RunResult &Result, const Options &Request,
     writeTable(Run, Speed, errs());
   if (Tasks.Profile)
     Note(writeProfile(Tasks.Profile->finish(Run), Request));
+  if (Tasks.Trace)
+    Note(Tasks.Trace->finish(Run.Stats));
   explainEnd(Result, Request, Chip, Loaded.Elf, TrapClock::Cycles,
              [&](unsigned Register) {
                return Machine.registerOf(Result.TrapInfo->Thread, Register);
@@ -143,9 +147,11 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   if (!Machine.error().empty())
     return createStringError(Machine.error());
   Machine.setHostThreads(Request.HostThreads);
-  std::unique_ptr<ProfileTask> Profiling;
-  if (Request.Profile)
-    Profiling = std::make_unique<ProfileTask>(Chip, Loaded, Machine);
+  std::unique_ptr<ExecutionRecorder> Recorder;
+  if (Request.Profile || Request.Trace) {
+    Recorder = makeRecorder(Chip, Loaded);
+    Machine.setRecorder(*Recorder);
+  }
   if (Request.GenerateCode) {
     Expected<std::unique_ptr<CodeGenerator>> Generator = makeJit();
     if (!Generator)
@@ -156,7 +162,13 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
       [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
   RunTasks Tasks = makeTasks(Request, Chip, Loaded, Console);
-  Tasks.Profile = std::move(Profiling);
+  if (Request.Profile)
+    Tasks.Profile = std::make_unique<ProfileTask>(Chip, Loaded, *Recorder);
+  if (Request.Trace)
+    if (llvm::Error E =
+            TraceTask::start(*Request.Trace, Chip, Loaded, *Recorder, Machine)
+                .moveInto(Tasks.Trace))
+      return E;
   if (!Request.RestoreInput.empty()) {
     if (llvm::Error E = Tasks.Checkpoints->restore(Machine))
       return E;

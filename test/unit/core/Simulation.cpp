@@ -11,6 +11,7 @@
 #include "gtest/gtest.h"
 
 #include <numeric>
+#include <utility>
 
 namespace tp::test {
 
@@ -41,9 +42,13 @@ Simulation::Simulation(const ChipConfig &Chip, const Assembly &Source,
       Simulated(this->Chip, Text, Global, std::move(Hierarchy)) {
   EXPECT_EQ(Simulated.error(), "");
   Simulated.setHostThreads(HostThreads);
-  if (DefaultGenerator)
-    Simulated.setCodeGenerator(DefaultGenerator());
   Simulated.setOutput([this](int, std::string_view Bytes) { Output += Bytes; });
+}
+
+void Simulation::record() {
+  Recorder =
+      std::make_unique<ExecutionRecorder>(Chip, Text, std::vector<uint32_t>());
+  Simulated.setRecorder(*Recorder);
 }
 
 RunResult Simulation::run(uint64_t MaxCycles) {
@@ -53,6 +58,8 @@ RunResult Simulation::run(uint64_t MaxCycles) {
 }
 
 RunResult Simulation::run(const RunLimits &Limits) {
+  if (NewGenerator)
+    Simulated.setCodeGenerator(std::exchange(NewGenerator, nullptr)());
   RunResult Result = Simulated.run(Limits);
   Counts = Simulated.statistics();
   expectConsistentStatistics();

@@ -8,6 +8,7 @@
 #define TP_TEST_UNIT_CORE_SIMULATION_H
 
 #include "simulator/core/Engine.h"
+#include "simulator/core/ExecutionRecorder.h"
 #include "test/unit/core/Assembly.h"
 
 #include <memory>
@@ -43,6 +44,10 @@ public:
   void setObserver(ProfileObserver &Observer) {
     Simulated.setObserver(&Observer);
   }
+  /// Before the run.
+  void record();
+  /// What was recorded up to the end of the last run.
+  ExecutionRecord recorded() const { return Recorder->record(Counts); }
   void setHostThreads(unsigned Count) { Simulated.setHostThreads(Count); }
   RunResult run(uint64_t MaxCycles = 1000000);
   /// Runs, expects that all threads halt, and gives the cycles.
@@ -71,7 +76,10 @@ private:
   ChipConfig Chip;
   Memory Global;
   Program Text;
+  std::unique_ptr<ExecutionRecorder> Recorder;
   Engine Simulated;
+  /// Who compiles from the first run on.
+  std::unique_ptr<CodeGenerator> (*NewGenerator)() = DefaultGenerator;
   std::string Output;
   Statistics Counts;
 };

@@ -35,6 +35,7 @@ void expectAgreement(const ChipConfig &Chip, const Assembly &Program,
   for (size_t I = 0; I != A.Pcs.size(); ++I) {
     EXPECT_EQ(A.Pcs[I].Executed, B.Pcs[I].Executed) << "word " << I;
     EXPECT_EQ(A.Pcs[I].Lost, B.Pcs[I].Lost) << "word " << I;
+    EXPECT_EQ(A.Pcs[I].Global, B.Pcs[I].Global) << "word " << I;
   }
   for (uint32_t Thread = 0; Thread != Chip.threadCount(); ++Thread) {
     EXPECT_EQ(A.Threads[Thread].Instructions, B.Threads[Thread].Instructions);
