@@ -6,23 +6,15 @@
 
 #include "simulator/check/HeapBlocks.h"
 
+#include "simulator/check/ObjectPlace.h"
+
 #include <iterator>
 
 namespace tp {
 
-static std::string bytes(uint32_t Count) {
-  return std::to_string(Count) + (Count == 1 ? " byte" : " bytes");
-}
-
 std::string HeapBlock::describe(uint32_t Address) const {
-  std::string What = "a heap block of " + bytes(Bytes);
-  if (FreedAt)
-    What += " that was given back";
-  if (Address < Begin)
-    return bytes(Begin - Address) + " before " + What;
-  if (Address - Begin >= Bytes)
-    return bytes(Address - Begin - Bytes) + " behind " + What;
-  return bytes(Address - Begin) + " into " + What;
+  return describePlace(Address, Begin, Bytes, "a heap block") +
+         (FreedAt ? " that was given back" : "");
 }
 
 void HeapBlocks::add(const HeapBlock &Block) {

@@ -7,6 +7,7 @@
 #include "simulator/check/MemoryChecks.h"
 
 #include "runtime/include/tp/check.h"
+#include "simulator/check/ObjectPlace.h"
 
 #include <algorithm>
 
@@ -69,8 +70,8 @@ void MemoryChecks::checkBound(const CheckedAccess &A, bool IsStore) {
   Program.Found.add(
       {"stack",
        "stack-use-after-return",
-       std::string(IsStore ? "store" : "load") + " of " +
-           std::to_string(A.Bytes) + " bytes below the stack pointer",
+       std::string(IsStore ? "store" : "load") + " of " + inBytes(A.Bytes) +
+           " below the stack pointer",
        "the function whose memory that was has returned",
        A.Address,
        A.Bytes,
@@ -109,8 +110,7 @@ void MemoryChecks::reportAccess(const CheckedAccess &A, bool IsStore,
     return;
   Report R{"memory",
            Kind,
-           std::string(IsStore ? "store" : "load") + " of " +
-               std::to_string(A.Bytes) + (A.Bytes == 1 ? " byte" : " bytes"),
+           std::string(IsStore ? "store" : "load") + " of " + inBytes(A.Bytes),
            "",
            A.Address,
            A.Bytes,

@@ -317,14 +317,14 @@ void MemoryChecks::branched(FunctionalThread &T, uint32_t Pc,
     shadowOf(T).Calls.jumped(Target, T.Registers[StackPointerRegister]);
 }
 
-void MemoryChecks::load(Step &S, const CheckedAccess &A) {
+inline void MemoryChecks::load(Step &S, const CheckedAccess &A) {
   checkAccess(A, /*IsStore=*/false);
   std::memcpy(&S.Loaded, memoryOf(A).undefined(A.Address), A.Bytes);
   if (S.Loaded != 0) [[unlikely]]
     loadUndefined(S, A);
 }
 
-void MemoryChecks::store(Step &S, const CheckedAccess &A) {
+inline void MemoryChecks::store(Step &S, const CheckedAccess &A) {
   checkAccess(A, /*IsStore=*/true);
   std::memcpy(memoryOf(A).undefined(A.Address), &S.Stored, A.Bytes);
   if (S.Stored != 0) [[unlikely]]

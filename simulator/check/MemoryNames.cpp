@@ -6,6 +6,8 @@
 
 #include "simulator/check/MemoryNames.h"
 
+#include "simulator/check/ObjectPlace.h"
+
 #include "llvm/Demangle/Demangle.h"
 #include "llvm/Object/ELFObjectFile.h"
 
@@ -43,11 +45,7 @@ std::optional<std::string> MemoryNames::describe(uint32_t Address) const {
   constexpr uint32_t MaxBehind = 64;
   if (Offset >= Found.Bytes + MaxBehind)
     return std::nullopt;
-  bool IsBehind = Offset >= Found.Bytes;
-  uint64_t Distance = IsBehind ? Offset - Found.Bytes : Offset;
-  return std::to_string(Distance) + (Distance == 1 ? " byte " : " bytes ") +
-         (IsBehind ? "behind " : "into ") + Found.Name + " of " +
-         std::to_string(Found.Bytes) + " bytes";
+  return describePlace(Address, Begin, Found.Bytes, Found.Name);
 }
 
 } // namespace tp

@@ -6,20 +6,15 @@
 
 #include "simulator/check/ThreadShadow.h"
 
+#include "simulator/check/ObjectPlace.h"
+
 #include <iterator>
 
 namespace tp {
 
 std::string StackObject::describe(uint32_t Address) const {
-  bool IsBefore = Address < Begin, IsBehind = Address - Begin >= Bytes;
-  uint32_t Distance = IsBefore   ? Begin - Address
-                      : IsBehind ? Address - Begin - Bytes
-                                 : Address - Begin;
-  return std::to_string(Distance) + (Distance == 1 ? " byte " : " bytes ") +
-         (IsBefore   ? "before"
-          : IsBehind ? "behind"
-                     : "into") +
-         " '" + Name + "' of " + std::to_string(Bytes) + " bytes on the stack";
+  return describePlace(Address, Begin, Bytes,
+                       std::string("the stack object '") + Name + "'");
 }
 
 const StackObject *ThreadShadow::nearestObject(uint32_t Address) const {

@@ -67,9 +67,12 @@ struct CheckedObject {
   static constexpr uint32_t PaddingBytes = 16;
 };
 
+/// Its callers are where the message comes from.
+#define TP_CHECK_MESSAGE __attribute__((always_inline, nodebug)) inline
+
 /// Sends a message of the above.
 template <CheckMessage Message>
-inline void tellChecker([[maybe_unused]] uint32_t Value) {
+TP_CHECK_MESSAGE void tellChecker([[maybe_unused]] uint32_t Value) {
 #ifdef __tp__
   __asm__ volatile("profv %0, %1"
                    :
@@ -81,23 +84,27 @@ inline void tellChecker([[maybe_unused]] uint32_t Value) {
 #ifdef __tp__
 
 /// Brackets an allocator's work.
-inline void allocatorEntered(size_t Bytes) {
+TP_CHECK_MESSAGE void allocatorEntered(size_t Bytes) {
   tellChecker<CheckMessage::AllocatorEntered>(Bytes);
 }
-inline void *allocated(void *Memory) {
+TP_CHECK_MESSAGE void *allocated(void *Memory) {
   tellChecker<CheckMessage::Allocated>(reinterpret_cast<uint32_t>(Memory));
   return Memory;
 }
-inline void freeing(void *Memory) {
+TP_CHECK_MESSAGE void freeing(void *Memory) {
   tellChecker<CheckMessage::Freeing>(reinterpret_cast<uint32_t>(Memory));
 }
-inline void *resized(void *Memory) {
+TP_CHECK_MESSAGE void *resized(void *Memory) {
   tellChecker<CheckMessage::Resized>(reinterpret_cast<uint32_t>(Memory));
   return Memory;
 }
-inline void allocatorLeft() { tellChecker<CheckMessage::AllocatorLeft>(0); }
+TP_CHECK_MESSAGE void allocatorLeft() {
+  tellChecker<CheckMessage::AllocatorLeft>(0);
+}
 
 #endif
+
+#undef TP_CHECK_MESSAGE
 
 } // namespace tp
 
