@@ -161,7 +161,10 @@ BreakpointRequests::make(const BreakpointArgument &Wish, StringLiteral Word,
                          AddFunction Add) {
   Kept Result;
   Result.Wish = Wish;
-  Expected<tp::Breakpoint *> Made = Add(Wish);
+  Expected<tp::Breakpoint *> Made =
+      Target.Configuration.NoDebug
+          ? createStringError("the program runs without debugging")
+          : Add(Wish);
   llvm::Error Problem = Made ? refine(**Made, Wish) : Made.takeError();
   if (!Problem) {
     Result.Number = (*Made)->Number;

@@ -114,6 +114,11 @@ void Debuggee::report(const SessionStop &Stop) {
     end(Stop.ExitStatus);
     return;
   }
+  if (Stop.Kind == SessionStop::Trapped && Configuration.NoDebug) {
+    Out.output("important", Stop.TrapInfo->what() + "\n");
+    end(1);
+    return;
+  }
   if (!Stop.Message.empty())
     Out.output("important", Stop.Message + "\n");
   Out.event("stopped", stoppedBody(Stop, *Program, Words));

@@ -11,6 +11,7 @@
 #include "debugger/dap/Dispatcher.h"
 #include "debugger/dap/LaunchRequest.h"
 #include "debugger/dap/ProgramVariables.h"
+#include "debugger/dap/RunProgress.h"
 #include "debugger/dap/StopReason.h"
 #include "debugger/dap/VariableStore.h"
 #include "debugger/session/Session.h"
@@ -37,6 +38,7 @@ public:
   LaunchRequest Configuration;
   /// Null before the launch and after the end.
   std::unique_ptr<Session> Program;
+  bool WasLaunched = false;
   VariableStore Store;
   /// Of the breakpoints that the client has set.
   BreakpointWords Words;
@@ -47,6 +49,7 @@ public:
   Direction Towards = Direction::Forward;
   /// Called now and then while the program runs.
   ProgressFunction OnProgress;
+  RunProgress Running{Out};
   /// The client has gone, or is to go.
   bool IsEnded = false;
 

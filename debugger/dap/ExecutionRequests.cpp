@@ -136,9 +136,12 @@ void ExecutionRequests::move(ActiveRun::Interest By,
   Target.IsRunning = true;
   PauseWanted = false;
   SessionStop Stop;
+  bool IsShown = Target.Client.SupportsProgressReporting;
   do {
     Run.begin(*Target.Program, By);
+    Target.Running.begin("Running", IsShown);
     Stop = Action();
+    Target.Running.end();
     Run.end();
     if (Stop.Kind != SessionStop::Interrupted)
       break;

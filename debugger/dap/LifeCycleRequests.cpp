@@ -66,14 +66,16 @@ Response LifeCycleRequests::attach(const NoArguments &) {
 }
 
 Response LifeCycleRequests::launch(const json::Value &Arguments) {
-  if (Target.Program)
-    return createStringError("a program is already launched");
+  if (Target.WasLaunched)
+    return createStringError("a session debugs one program; this one has had "
+                             "its launch");
   Expected<LaunchRequest> Wish = readLaunch(Arguments);
   if (!Wish)
     return Wish.takeError();
   if (llvm::Error Problem = load(*Wish))
     return std::move(Problem);
   Target.Configuration = *Wish;
+  Target.WasLaunched = true;
   Console.connect();
   Target.afterResponse([this] {
     tellWarnings();

@@ -7,14 +7,14 @@
 #include "debugger/dap/MemoryReference.h"
 
 #include "llvm/ADT/StringExtras.h"
-#include "llvm/Support/FormatVariadic.h"
+#include "llvm/Support/MathExtras.h"
 
 using namespace llvm;
 
 namespace tp::dap {
 
 std::string addressText(uint32_t Address) {
-  return formatv("{0:x-8}", Address).str();
+  return "0x" + utohexstr(Address, /*LowerCase=*/true, /*Width=*/8);
 }
 
 std::string MemoryReference::text() const {

@@ -39,7 +39,10 @@ public:
     Console.addTo(Requests);
     LifeCycle.addTo(Requests);
     // A request may have come just before the run that it is to stop.
-    Target.OnProgress = [this](const Progress &) { Box.announceWaiting(); };
+    Target.OnProgress = [this](const Progress &Now) {
+      Box.announceWaiting();
+      Target.Running.update(Now);
+    };
   }
 
   /// Until the client goes.
