@@ -47,29 +47,23 @@ INITIALIZE_PASS(TPAtomicLoops, DEBUG_TYPE,
 
 FunctionPass *llvm::createTPAtomicLoopsPass() { return new TPAtomicLoops(); }
 
-/// The load that \p Guess comes from, through what computes a guess from it.
-static LoadInst *firstLoad(Value *Guess, const BasicBlock *Loop) {
-  while (auto *I = dyn_cast<Instruction>(Guess)) {
-    if (auto *Load = dyn_cast<LoadInst>(I))
-      return Load;
-    if (isa<CastInst>(I) || isa<BinaryOperator>(I)) {
-      Guess = I->getOperand(0);
-      continue;
-    }
-    auto *Phi = dyn_cast<PHINode>(I);
-    if (!Phi || Phi->getParent() != Loop)
-      return nullptr;
-    Value *Entering = nullptr;
-    for (unsigned From = 0; From != Phi->getNumIncomingValues(); ++From)
-      if (isa<LoadInst, CastInst, BinaryOperator>(
-              Phi->getIncomingValue(From)) &&
-          Phi->getIncomingBlock(From) != Loop)
-        Entering = Phi->getIncomingValue(From);
-    if (!Entering)
-      return nullptr;
-    Guess = Entering;
-    Loop = nullptr;
-  }
+/// The load that \p Value comes from, if nothing but arithmetic is between.
+static LoadInst *loadBehind(Value *Value) {
+  while (isa<CastInst, BinaryOperator>(Value))
+    Value = cast<Instruction>(Value)->getOperand(0);
+  return dyn_cast<LoadInst>(Value);
+}
+
+/// The load of the first value that is compared, where the loop makes the next
+/// ones itself.
+static LoadInst *firstLoad(AtomicCmpXchgInst &Exchange) {
+  Value *Guess = Exchange.getCompareOperand();
+  while (isa<CastInst, BinaryOperator>(Guess))
+    Guess = cast<Instruction>(Guess)->getOperand(0);
+  if (auto *Phi = dyn_cast<PHINode>(Guess))
+    for (Value *Incoming : Phi->incoming_values())
+      if (LoadInst *Load = loadBehind(Incoming))
+        return Load;
   return nullptr;
 }
 
@@ -79,8 +73,7 @@ bool TPAtomicLoops::runOnFunction(Function &F) {
     auto *Exchange = dyn_cast<AtomicCmpXchgInst>(&I);
     if (!Exchange)
       continue;
-    LoadInst *Load =
-        firstLoad(Exchange->getCompareOperand(), Exchange->getParent());
+    LoadInst *Load = firstLoad(*Exchange);
     if (!Load || Load->isAtomic() ||
         !(Load->getType()->isIntegerTy() || Load->getType()->isFloatTy()) ||
         Load->getPointerOperand() != Exchange->getPointerOperand())

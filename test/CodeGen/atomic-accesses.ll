@@ -6,7 +6,7 @@
 ; RUN: llvm-readelf -r %t.o | FileCheck %s --check-prefix=RELOCATIONS
 
 ; RELOCATIONS: '.rela.tp_atomics'
-; RELOCATIONS-SAME: contains 6 entries
+; RELOCATIONS-SAME: contains 8 entries
 
 define i32 @relaxed(ptr %p) {
 ; CHECK-LABEL: relaxed:
@@ -62,6 +62,16 @@ define i8 @add_byte(ptr %p, i8 %v) {
   %r = atomicrmw add ptr %p, i8 %v monotonic
   ret i8 %r
 }
+define i8 @exchange_byte(ptr %p, i8 %old, i8 %new) {
+; CHECK-LABEL: exchange_byte:
+; CHECK: [[WORD2:.Latomic[0-9]+]]:
+; CHECK-NEXT: lw
+; CHECK: [[BYTE2:.Latomic[0-9]+]]:
+; CHECK-NEXT: atom_cas
+  %r = cmpxchg ptr %p, i8 %old, i8 %new monotonic monotonic
+  %s = extractvalue { i8, i1 } %r, 0
+  ret i8 %s
+}
 
 ; CHECK: .section .tp_atomics,"",@progbits
 ; CHECK-NEXT: .long [[RELAXED]]
@@ -70,3 +80,5 @@ define i8 @add_byte(ptr %p, i8 %v) {
 ; CHECK-NEXT: .long [[GUESS]]
 ; CHECK-NEXT: .long [[WORD]]+2
 ; CHECK-NEXT: .long [[BYTE]]+2
+; CHECK-NEXT: .long [[WORD2]]+2
+; CHECK-NEXT: .long [[BYTE2]]+2

@@ -132,6 +132,12 @@ uint32_t nonEmptyClass(uint32_t Class) {
   return NumClasses;
 }
 
+/// Under the lock; others look without it whether there is anything.
+void setBits(uint32_t &Word, uint32_t Bits) { atomicStore(&Word, Word | Bits); }
+void clearBits(uint32_t &Word, uint32_t Bits) {
+  atomicStore(&Word, Word & ~Bits);
+}
+
 void addToList(Block *B) {
   uint32_t Class = classOf(bytesOf(B));
   B->Previous = nullptr;
@@ -139,8 +145,8 @@ void addToList(Block *B) {
   if (B->Next)
     B->Next->Previous = B;
   FreeLists[Class] = B;
-  FreeClasses[Class / 32] |= 1u << Class % 32;
-  FreeWords |= 1u << Class / 32;
+  setBits(FreeClasses[Class / 32], 1u << Class % 32);
+  setBits(FreeWords, 1u << Class / 32);
 }
 
 void removeFromList(Block *B) {
@@ -154,9 +160,9 @@ void removeFromList(Block *B) {
   FreeLists[Class] = B->Next;
   if (B->Next)
     return;
-  FreeClasses[Class / 32] &= ~(1u << Class % 32);
+  clearBits(FreeClasses[Class / 32], 1u << Class % 32);
   if (FreeClasses[Class / 32] == 0)
-    FreeWords &= ~(1u << Class / 32);
+    clearBits(FreeWords, 1u << Class / 32);
 }
 
 /// Makes \p B free, joined with its free neighbours.

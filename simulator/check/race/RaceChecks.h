@@ -57,7 +57,8 @@ public:
     if constexpr (Op == Opcode::STREAM_PUSH || Op == Opcode::STREAM_POP)
       Detector.streamOperation(T.Number, Run.rs);
     if constexpr (Op == Opcode::ATOM_CAS)
-      if (isPartOfWord(Pc) && Run.result() == Run.rdold) [[unlikely]]
+      if (isPartOfWord(Pc) && Run.result() == Run.rdold &&
+          !Space->isLocal(Run.rs)) [[unlikely]]
         notePartOfWord(T, Pc, Run.rs, Run.rdold ^ Run.rt);
   }
 
