@@ -102,6 +102,38 @@ const Type &Arithmetic::integerType(const Number &Of) const {
   return Of.IsSigned ? Int : UnsignedInt;
 }
 
+const Type *Arithmetic::commonType(const Type &Left, const Type &Right) const {
+  if (!Left.isArithmetic() || !Right.isArithmetic())
+    return nullptr;
+  if (isSameType(Left, Right))
+    return &Left;
+  auto IsReal = [](const Type &Of) {
+    return Of.stripped().Kind == TypeKind::Float;
+  };
+  if (IsReal(Left) || IsReal(Right)) {
+    bool InDouble = (IsReal(Left) && Left.stripped().Size == 8) ||
+                    (IsReal(Right) && Right.stripped().Size == 8);
+    return InDouble ? &Double : &Float;
+  }
+  auto Promoted = [](const Type &Of) {
+    Number Result;
+    Result.Bytes = uint8_t(std::max(Of.stripped().Size, 4u));
+    Result.IsSigned = Of.isSigned() || Of.stripped().Size < 4;
+    return Result;
+  };
+  return &integerType(commonNumber(Promoted(Left), Promoted(Right)));
+}
+
+Arithmetic::Number Arithmetic::commonNumber(const Number &Left,
+                                            const Number &Right) {
+  Number Common = Left;
+  Common.Bytes = std::max(Left.Bytes, Right.Bytes);
+  bool LeftWins = !Left.IsSigned && Left.Bytes == Common.Bytes;
+  bool RightWins = !Right.IsSigned && Right.Bytes == Common.Bytes;
+  Common.IsSigned = !LeftWins && !RightWins;
+  return Common;
+}
+
 Value Arithmetic::makeInteger(const Number &Like, uint64_t Bits) const {
   return Value::integer(integerType(Like), Bits);
 }
@@ -139,13 +171,7 @@ Expected<Value> Arithmetic::integers(OperatorKind Operator, Number Left,
                                      Number Right) const {
   bool IsShift = Operator == OperatorKind::ShiftLeft ||
                  Operator == OperatorKind::ShiftRight;
-  Number Common = Left;
-  if (!IsShift) {
-    Common.Bytes = std::max(Left.Bytes, Right.Bytes);
-    bool LeftWins = !Left.IsSigned && Left.Bytes == Common.Bytes;
-    bool RightWins = !Right.IsSigned && Right.Bytes == Common.Bytes;
-    Common.IsSigned = !LeftWins && !RightWins;
-  }
+  Number Common = IsShift ? Left : commonNumber(Left, Right);
   uint64_t A = extended(Left.Bits, Common.Bytes, Common.IsSigned);
   uint64_t B = extended(Right.Bits, Common.Bytes, Common.IsSigned);
   if (isComparison(Operator))

@@ -56,6 +56,10 @@ public:
                                 bool KeepBits = false) const;
   llvm::Expected<bool> isTrue(const Value &Of, const FrameContext &Frame) const;
 
+  /// The type that two arithmetic values have together, as the branches of `?:`
+  /// do; nullptr if one is no number.
+  const Type *commonType(const Type &Left, const Type &Right) const;
+
   /// What a reference refers to, an array as a pointer to its first element, a
   /// function as a pointer; other values as they are.
   llvm::Expected<Value> decayed(const Value &Of,
@@ -86,6 +90,7 @@ private:
 
   llvm::Expected<Number> promote(const Value &Of,
                                  const FrameContext &Frame) const;
+  static Number commonNumber(const Number &Left, const Number &Right);
   const Type &integerType(const Number &Of) const;
   Value truth(bool Result) const;
   Value makeInteger(const Number &Like, uint64_t Bits) const;

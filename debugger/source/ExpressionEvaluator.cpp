@@ -366,6 +366,25 @@ Expected<Value> ExpressionEvaluator::repeat(const ExpressionNode &Node,
       Information.types().arrayOf(First->type(), uint32_t(*Number)), *Address);
 }
 
+/// The value of \p Taken in the type that it has together with \p Other.
+Expected<Value> ExpressionEvaluator::branch(const ExpressionNode &Taken,
+                                            const ExpressionNode &Other,
+                                            Place At) const {
+  Expected<Value> Result = run(Taken, At);
+  if (!Result || Other.hasEffects())
+    return Result;
+  // Only its type is wanted; it need not have a value.
+  Expected<Value> Unused = run(Other, At);
+  if (!Unused) {
+    consumeError(Unused.takeError());
+    return Result;
+  }
+  const Type *Common = Math.commonType(Result->type(), Unused->type());
+  if (!Common || isSameType(*Common, Result->type()))
+    return Result;
+  return Math.convert(*Result, *Common, At.Frame);
+}
+
 Expected<Value> ExpressionEvaluator::run(const ExpressionNode &Node,
                                          Place At) const {
   switch (Node.Kind) {
@@ -428,7 +447,7 @@ Expected<Value> ExpressionEvaluator::run(const ExpressionNode &Node,
     Expected<bool> Is = Math.isTrue(*First, At.Frame);
     if (!Is)
       return Is.takeError();
-    return run(*Node.Operands[*Is ? 1 : 2], At);
+    return branch(*Node.Operands[*Is ? 1 : 2], *Node.Operands[*Is ? 2 : 1], At);
   }
   case NodeKind::Cast: {
     bool ToPlain = Node.Of->isArithmetic() || Node.Of->isPointer();

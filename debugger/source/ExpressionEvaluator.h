@@ -53,6 +53,8 @@ private:
                               Place At) const;
   llvm::Expected<Value> member(const ExpressionNode &Node, Place At) const;
   llvm::Expected<Value> index(const ExpressionNode &Node, Place At) const;
+  llvm::Expected<Value> branch(const ExpressionNode &Taken,
+                               const ExpressionNode &Other, Place At) const;
   llvm::Expected<Value> repeat(const ExpressionNode &Node, Place At) const;
 };
 

@@ -179,12 +179,47 @@ void NameIndex::add(DWARFDie Die) {
       Types[Plain].push_back(Die);
     break;
   }
+  case DW_TAG_imported_declaration:
+  case DW_TAG_imported_module:
+    addImport(Die);
+    break;
   case DW_TAG_enumerator:
     Enumerators[toStringRef(Die.find(DW_AT_name))].push_back(Die);
     break;
   default:
     break;
   }
+}
+
+void NameIndex::addImport(DWARFDie Die) {
+  DWARFDie Target = Die.getAttributeValueAsReferencedDie(DW_AT_import);
+  if (!Target)
+    return;
+  bool IsNamespace = Target.getTag() == DW_TAG_namespace;
+  // The library's own, `using ::memcpy` in std, say nothing of the program.
+  std::string Scope = scopePrefix(Die);
+  if (StringRef(Scope).starts_with("std::"))
+    return;
+  Imports.push_back({Scope, qualifiedName(Target) + (IsNamespace ? "::" : "")});
+}
+
+size_t NameIndex::nearness(DWARFDie Candidate, StringRef Place,
+                           const DWARFUnit *Unit) const {
+  std::string Prefix = scopePrefix(Candidate);
+  size_t Score = 1;
+  if (!StringRef(Prefix).starts_with("std::"))
+    Score += 2;
+  if (Unit && Candidate.getDwarfUnit() == Unit)
+    Score += 4;
+  if (Place.starts_with(Prefix))
+    return Score + 16 + 16 * Prefix.size();
+  std::string Name = Prefix + baseName(Candidate).str();
+  size_t Imported = 0;
+  for (const Import &Using : Imports)
+    if (Place.starts_with(Using.Scope) &&
+        (Using.Name == Name || Using.Name == Prefix))
+      Imported = std::max(Imported, 8 + 16 + 16 * Using.Scope.size());
+  return Score + Imported;
 }
 
 /// A constant, or a global variable that the program no longer has.

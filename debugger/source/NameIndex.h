@@ -45,7 +45,22 @@ public:
   /// declares; invalid if there is none.
   llvm::DWARFDie definitionOf(llvm::DWARFDie Declaration) const;
 
+  /// How well \p Candidate, whose name is the wanted one or ends with it, fits
+  /// what stands in the scope \p Place (`scene::visit::`) of \p Unit: more is
+  /// better. The innermost scope around the place counts most, then what
+  /// `using` brings there, then the unit; the library's own names come last.
+  size_t nearness(llvm::DWARFDie Candidate, llvm::StringRef Place,
+                  const llvm::DWARFUnit *Unit) const;
+
 private:
+  /// A `using` declaration or directive.
+  struct Import {
+    /// The scope that it is in.
+    std::string Scope;
+    /// What it names, with `::` behind it if that is a namespace.
+    std::string Name;
+  };
+
   using DieList = std::vector<llvm::DWARFDie>;
 
   DieList Functions;
@@ -55,6 +70,9 @@ private:
   llvm::StringMap<DieList> Enumerators;
   llvm::DenseMap<uint64_t, llvm::DWARFDie> Definitions;
 
+  std::vector<Import> Imports;
+
+  void addImport(llvm::DWARFDie Die);
   void addUnit(llvm::DWARFUnit &Unit);
   void add(llvm::DWARFDie Die);
   void addVariable(llvm::DWARFDie Die);

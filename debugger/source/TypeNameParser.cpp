@@ -122,7 +122,12 @@ const Type *ExpressionParser::namedType() {
     std::vector<InlinedCall> Calls =
         Information.map().callsAt(Scope->lookupPc());
     if (!Calls.empty())
-      Place = Calls[std::min<size_t>(Scope->InlineDepth, Calls.size() - 1)].Die;
+      Place =
+          Information.map()
+              .function(
+                  Calls[std::min<size_t>(Scope->InlineDepth, Calls.size() - 1)]
+                      .Function)
+              .Die;
   }
   const Type *Found = nullptr;
   StringRef Plain = Name;

@@ -197,30 +197,27 @@ const Type &TypeTable::fromDie(DWARFDie Die) {
   return Result;
 }
 
-/// How far the namespaces and classes of \p Candidate are also those of the
-/// place with the prefix \p Place.
-static size_t nearness(DWARFDie Candidate, StringRef Place) {
-  std::string Prefix = scopePrefix(Candidate);
-  return Place.starts_with(Prefix) ? Prefix.size() + 1 : 0;
-}
-
 const Type *TypeTable::find(StringRef Name, DWARFDie Scope) {
   if (llvm::any_of(kBasicTypes,
                    [&](const BasicType &Entry) { return Entry.Name == Name; }))
     return &basic(Name);
   std::string Place;
-  if (Scope)
+  const DWARFUnit *Unit = nullptr;
+  if (Scope) {
     Place = qualifiedName(Scope) + "::";
+    Unit = Scope.getDwarfUnit();
+  }
   DWARFDie Best;
   size_t BestNearness = 0;
   StringRef Last = lastComponent(Name);
   for (DWARFDie Die : Names.types(withoutTemplateArguments(Last))) {
     if (!matchesName(qualifiedName(Die), Name))
       continue;
-    // `find<T>` alone does not name a type that has several instances.
-    size_t Near =
-        2 * nearness(Die, Place) + (StringRef(baseName(Die)) == Last ? 1 : 0);
-    if (!Best || (Near > BestNearness && !Die.find(DW_AT_declaration))) {
+    // Definitions come before declarations, and `Box` itself before `Box<int>`.
+    size_t Near = 4 * Names.nearness(Die, Place, Unit) +
+                  (Die.find(DW_AT_declaration) ? 0 : 2) +
+                  (StringRef(baseName(Die)) == Last ? 1 : 0);
+    if (Near > BestNearness) {
       Best = Die;
       BestNearness = Near;
     }

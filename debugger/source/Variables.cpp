@@ -169,11 +169,7 @@ std::optional<VariableInfo> Variables::findGlobal(const FrameContext &Frame,
   for (DWARFDie Die : Names.variables(lastComponent(Name))) {
     if (!matchesName(qualifiedName(Die), Name))
       continue;
-    // Of the scopes around the place the innermost, then of the same unit.
-    std::string Prefix = scopePrefix(Die);
-    bool IsAround = StringRef(Place).starts_with(Prefix);
-    size_t Nearness = (IsAround ? 4 + 4 * Prefix.size() : 0) +
-                      (Unit == Die.getDwarfUnit() ? 2 : 1);
+    size_t Nearness = Names.nearness(Die, Place, Unit);
     if (Nearness > BestNearness) {
       Best = Die;
       BestNearness = Nearness;

@@ -35,7 +35,8 @@ static std::string compile(const std::string &Source,
   SmallString<128> Path;
   if (sys::fs::createTemporaryFile("debugged", "elf", Path))
     std::abort();
-  std::string Input = std::string(TP_TESTS) + "/" + Source;
+  std::string Input =
+      Source.front() == '/' ? Source : std::string(TP_TESTS) + "/" + Source;
   std::vector<StringRef> Arguments = {TP_TPCC, Input, "-o", Path};
   Arguments.insert(Arguments.end(), Options.begin(), Options.end());
   std::string Problem;

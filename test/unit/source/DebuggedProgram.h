@@ -22,7 +22,8 @@ namespace tp::test {
 /// A program that tpcc has made, and one run of it without timing.
 class DebuggedProgram {
 public:
-  /// Compiles test/\p Source; fails the test and ends if that does not work.
+  /// Compiles \p Source, below test/ if it is relative; fails the test and ends
+  /// if that does not work.
   DebuggedProgram(const std::string &Source,
                   const std::vector<std::string> &Options);
 

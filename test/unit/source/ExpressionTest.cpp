@@ -164,6 +164,24 @@ TEST_F(ExpressionTest, NamesAreFoundAsInCpp) {
             {"this->Next->Next->Radius", "3"}});
 }
 
+TEST_F(ExpressionTest, UsingBringsNames) {
+  check(0, {{"sizeof(Node)", "16"}, {"sizeof(hidden::Pair)", "2"}});
+  check(2, {{"sizeof(Node)", "16"},
+            {"sizeof(Pair)", "2"},
+            {"((Node *)Root)->Value", "4"},
+            {"sizeof(decoy::Outer::Pair)", "8"},
+            {"Both", "{Letters = \"ab\"}"}});
+}
+
+TEST_F(ExpressionTest, BranchesHaveACommonType) {
+  check(0, {{"sizeof(1 ? 1 : 2ll)", "8"},
+            {"1 ? -1 : 2u", "4294967295"},
+            {"(0 ? 1.5f : 3) / 2", "1.5"},
+            {"1 ? 7 : 1 / 0", "7"},
+            {"1 ? Position : Position", "{X = 1, Y = 2, Z = 3}"},
+            {"Yes ? true : false", "true"}});
+}
+
 TEST_F(ExpressionTest, MembersPointersAndArrays) {
   check(0, {{"Position.X", "1"},
             {"Where->Y", "2"},

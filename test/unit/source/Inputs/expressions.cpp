@@ -92,6 +92,33 @@ struct Vector {
 };
 } // namespace other
 
+namespace hidden {
+struct Node {
+  int Key = 3;
+  long long Value = 4;
+};
+struct Pair {
+  char Letters[2];
+};
+} // namespace hidden
+namespace decoy {
+struct Outer {
+  using Node = short;
+  using Pair = double;
+};
+} // namespace decoy
+using hidden::Node;
+namespace user {
+using namespace hidden;
+Pair Both = {{'a', 'b'}};
+decoy::Outer::Node Small = 5;
+decoy::Outer::Pair Number = 5;
+__attribute__((noinline)) int inside(Node *Root) {
+  stop();
+  return Root->Key + Both.Letters[0] + Small + int(Number);
+}
+} // namespace user
+
 struct Mixed {
   char Letter;
   short Small;
@@ -136,5 +163,7 @@ int main() {
          int(View.size()) + int(Precise + Single) + int(Long) + int(Huge) +
          int(Access) + Boxed.Used + (Words[0] != nullptr) + Raw[1] +
          scene::Counter::Instances + other::Vector{3}.Other + Global;
+  Node Root;
+  Sum += user::inside(&Root);
   return Sum == 0;
 }
