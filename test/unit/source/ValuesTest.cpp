@@ -11,8 +11,10 @@
 //===----------------------------------------------------------------------===//
 
 #include "debugger/source/Expression.h"
+#include "debugger/source/ValuePrinter.h"
 #include "test/unit/source/DebuggedProgram.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/MemoryBuffer.h"
 
@@ -113,4 +115,35 @@ TEST(Values, AreThereInOlderVersionsOfDwarf) {
   for (const char *Version : {"-gdwarf-4", "-gdwarf-3", "-gdwarf-2"})
     EXPECT_EQ(checkValues({"-O0", "-g", Version}).Missing, Overwritten)
         << Version;
+}
+
+/// Prints every variable of every frame and counts those with an error.
+static void printEverything(const char *Source, const char *Level) {
+  DebuggedProgram Program(Source, {Level, "-g"});
+  const Variables &Names = Program.information().variables();
+  ValuePrinter Printer(Program.map());
+  unsigned Steps = 0, Printed = 0;
+  Program.run([&](const FrameContext &Innermost) {
+    if (Steps++ % 13)
+      return;
+    for (const Frame &Part : Program.backtrace(Innermost)) {
+      std::vector<VariableInfo> All = Names.arguments(Part.Context);
+      append_range(All, Names.locals(Part.Context));
+      for (const VariableInfo &Info : All) {
+        Expected<Value> Found = Names.value(Info, Part.Context);
+        ASSERT_TRUE(bool(Found))
+            << Info.Name << ": " << toString(Found.takeError());
+        EXPECT_NE(Printer.print(*Found, Part.Context), "") << Info.Name;
+        ++Printed;
+      }
+    }
+  });
+  EXPECT_GT(Printed, 50u);
+}
+
+TEST(Values, AllCanBePrintedEverywhere) {
+  for (const char *Level : {"-O0", "-O2", "-Os"}) {
+    printEverything("Debug/values.cpp", Level);
+    printEverything("unit/source/Inputs/expressions.cpp", Level);
+  }
 }
