@@ -35,16 +35,17 @@ llvm::Error printCommand(Shell &S, CommandArguments Arguments) {
   Expected<Value> Result = S.evaluate(Text);
   if (!Result)
     return Result.takeError();
-  std::string Shown = S.print(*Result, *Format);
   if (Result->type().stripped().Kind == TypeKind::Void) {
     S.OS << "void\n";
     return llvm::Error::success();
   }
-  Expected<Value> Kept = Result->snapshot(S.context());
-  if (Kept)
+  std::string Shown = S.print(*Result, *Format);
+  if (!Result->isOptimizedOut()) {
+    Expected<Value> Kept = Result->snapshot(S.context());
+    if (!Kept)
+      return Kept.takeError();
     S.OS << '$' << S.Program.history().add(std::move(*Kept)) << " = ";
-  else
-    consumeError(Kept.takeError());
+  }
   S.OS << Shown << '\n';
   return llvm::Error::success();
 }

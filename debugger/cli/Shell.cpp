@@ -95,9 +95,7 @@ std::string Shell::timeName(uint64_t Time) const {
 std::string Shell::describeFrame(const Frame &Of) {
   std::string Text;
   raw_string_ostream Stream(Text);
-  const LineRange *Line = map().lineAt(Of.Context.lookupPc());
-  bool IsAtLine = !Of.Context.IsCaller && Line &&
-                  Line->Begin == Of.Context.Pc && Line->Position.isKnown();
+  bool IsAtLine = !Of.Context.IsCaller && beginsLine(map(), Of.Context.Pc);
   if (!IsAtLine && !Of.Inlined && Of.Context.InlineDepth == 0)
     Stream << format_hex(Of.Context.Pc, 10) << " in ";
   if (!Of.Function) {
@@ -126,11 +124,10 @@ void Shell::printFrame(unsigned Index) {
      << describeFrame(stack().Frames[Index]) << '\n';
 }
 
-void Shell::printSourceLine(const Frame &Of) {
+void Shell::printSourceLine(const Frame &Of, bool WithAddress) {
   if (!Of.Position.isKnown())
     return;
-  const LineRange *Line = map().lineAt(Of.Context.Pc);
-  if (!Of.Context.IsCaller && Line && Line->Begin != Of.Context.Pc)
+  if (WithAddress && !Of.Context.IsCaller && !beginsLine(map(), Of.Context.Pc))
     OS << format_hex(Of.Context.Pc, 10) << '\t';
   OS << Of.Position.Line << '\t';
   if (std::optional<StringRef> Text = info().files().line(Of.Position))
@@ -145,10 +142,11 @@ void Shell::printPlace(bool WithFrame) {
   const Frame &At = frame();
   bool IsSame = Shown.Thread == Thread && Shown.Cfa == At.Cfa &&
                 Shown.Function == At.Function;
-  if (WithFrame || !IsSame || !At.Position.isKnown())
+  bool ShowsFrame = WithFrame || !IsSame || !At.Position.isKnown();
+  if (ShowsFrame)
     OS << describeFrame(At) << '\n';
   Shown = {Thread, At.Cfa, At.Function};
-  printSourceLine(At);
+  printSourceLine(At, !ShowsFrame);
 }
 
 void Shell::printInstruction(uint32_t Pc) {

@@ -84,8 +84,9 @@ public:
   std::string describeFrame(const Frame &Of);
   /// `#0  ...` and a line end.
   void printFrame(unsigned Index);
-  /// The line of a frame with its number.
-  void printSourceLine(const Frame &Of);
+  /// The line of a frame with its number, and its pc if that is not where the
+  /// line begins and has not been printed yet.
+  void printSourceLine(const Frame &Of, bool WithAddress = false);
   /// Where the selected thread is, as after a stop.
   void printPlace(bool WithFrame);
   void printInstruction(uint32_t Pc);

@@ -218,4 +218,14 @@ Expected<SourcePosition> findLine(StringRef Text, DebugInformation &Information,
   return LocationReader(Text, Information, Defaults).line();
 }
 
+bool beginsLine(const SourceMap &Map, uint32_t Pc) {
+  const LineRange *Line = Map.lineAt(Pc);
+  if (!Line || !Line->Position.isKnown() || Line->Begin != Pc)
+    return false;
+  const LineRange *Before = Map.lineAt(Pc - 4);
+  return !Before || Before->Position.File != Line->Position.File ||
+         Before->Position.Line != Line->Position.Line ||
+         Map.functionAt(Pc - 4) != Map.functionAt(Pc);
+}
+
 } // namespace tp

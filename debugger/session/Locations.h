@@ -43,6 +43,9 @@ llvm::Expected<SourcePosition> findLine(llvm::StringRef Text,
                                         DebugInformation &Information,
                                         const LocationDefaults &Defaults);
 
+/// Whether the code of a line begins at \p Pc: what is in front is of another.
+bool beginsLine(const SourceMap &Map, uint32_t Pc);
+
 } // namespace tp
 
 #endif // TP_DEBUGGER_SESSION_LOCATIONS_H

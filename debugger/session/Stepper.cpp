@@ -164,7 +164,7 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
   Place Start = here();
   std::vector<AddressRange> Ranges = rangesOf(Start);
   if (NotBack && Start.Function)
-    Ranges.push_back({Map.function(*Start.Function).Entry, pc() + 4});
+    Ranges.push_back({Map.function(*Start.Function).Entry + 4, pc() + 4});
   std::vector<AddressRange> Inside = Ranges;
   for (;;) {
     SessionStop Stop = leave(Inside, Direction::Forward);
@@ -189,7 +189,7 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
     if (Where == Relation::Same) {
       bool IsNew = IsKnown && !(Line->Position.File == Start.Line.File &&
                                 Line->Position.Line == Start.Line.Line);
-      if (IsNew && Line->IsStatement && Line->Begin == pc() &&
+      if (IsNew && Line->IsStatement && beginsLine(Map, pc()) &&
           !(OverCalls && isInlinedCallee(Start)))
         return Stop;
       Inside = Ranges;
@@ -208,7 +208,9 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
         return Stop;
       IsKnown = hasLine(pc());
     }
-    if (IsKnown)
+    bool IsEntry = Map.functionAt(pc()) &&
+                   Map.function(*Map.functionAt(pc())).Entry == pc();
+    if (IsKnown && (IsEntry || beginsLine(Map, pc())))
       return skipPrologue(std::move(Stop));
     Start = here();
     Inside = Ranges = rangesOf(Start);
