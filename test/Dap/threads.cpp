@@ -10,6 +10,8 @@
 
 std::atomic<unsigned> Started;
 thread_local unsigned Own;
+volatile unsigned Missing;
+thread_local unsigned Turns;
 
 static void work(unsigned Number) {
   Own = Number * 2; // begin
@@ -18,7 +20,7 @@ static void work(unsigned Number) {
 
 int main() {
   work(tp::threadId());
-  while (Started < tp::threadCount()) // waits
-    ;
+  while (Started < tp::threadCount() + Missing)
+    ++Turns; // waits
   return 0; // end
 }
