@@ -38,12 +38,16 @@ static Loss currentLoss(const Thread &T) {
   }
 }
 
+uint64_t issuedBy(const Thread &T, uint64_t NextCycle) {
+  return accountedTo(T, NextCycle) - T.totalLost();
+}
+
 static ThreadStatistics summarizeThread(const Thread &T, uint64_t NextCycle,
                                         uint64_t Cycles, Statistics &Sum) {
   ThreadStatistics Result;
   Result.Lost = T.Lost;
   uint64_t Accounted = accountedTo(T, NextCycle);
-  Result.Instructions = Accounted - T.totalLost();
+  Result.Instructions = issuedBy(T, NextCycle);
   LossCounts &LostAt = Sum.Pcs[T.LastWord].Lost;
   if (Accounted < Cycles) {
     Loss Reason = currentLoss(T);

@@ -16,6 +16,9 @@
 
 namespace tp {
 
+/// Instructions that a thread, which may go on in \p NextCycle, has issued.
+uint64_t issuedBy(const Thread &T, uint64_t NextCycle);
+
 /// The statistics of a run of \p Cycles cycles: the sum of what the host
 /// threads counted, and per thread its losses, without those beyond the end.
 /// \p NextCycles are the cycles up to which the threads have been accounted

@@ -141,6 +141,8 @@ ThreadPlace Engine::placeOf(uint32_t Number) const {
   return Implementation->placeOf(Number);
 }
 
+uint64_t Engine::epoch() const { return Implementation->epoch(); }
+
 void Engine::setRegister(uint32_t Number, unsigned Register, uint32_t Value) {
   Implementation->setRegister(Number, Register, Value);
 }

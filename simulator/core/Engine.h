@@ -163,6 +163,8 @@ public:
   /// A thread between two runs.
   const Thread &thread(uint32_t Number) const;
   ThreadPlace placeOf(uint32_t Number) const;
+  /// The cycle from which the threads' ready words count.
+  uint64_t epoch() const;
   /// Change it. A register is ready at once; r0 stays 0.
   void setRegister(uint32_t Number, unsigned Register, uint32_t Value);
   void setNextWord(uint32_t Number, uint32_t Word);

@@ -40,6 +40,7 @@ public:
   virtual void serialize(Archive &A) = 0;
   virtual const Thread &thread(uint32_t Number) const = 0;
   virtual ThreadPlace placeOf(uint32_t Number) const = 0;
+  virtual uint64_t epoch() const = 0;
   virtual void setRegister(uint32_t Number, unsigned Register,
                            uint32_t Value) = 0;
   virtual void setNextWord(uint32_t Number, uint32_t Word) = 0;

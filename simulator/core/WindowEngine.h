@@ -67,6 +67,7 @@ public:
   ThreadPlace placeOf(uint32_t Number) const override {
     return {nextWord(Threads[Number]), NextCycles[Number]};
   }
+  uint64_t epoch() const override { return Epoch; }
   void setRegister(uint32_t Number, unsigned Register, uint32_t Value) override;
   void setNextWord(uint32_t Number, uint32_t NextWord) override;
 

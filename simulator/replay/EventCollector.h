@@ -1,0 +1,101 @@
+//===- EventCollector.h - Finds events while an engine runs -----*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_REPLAY_EVENTCOLLECTOR_H
+#define TP_SIMULATOR_REPLAY_EVENTCOLLECTOR_H
+
+#include "simulator/chip/ChipConfig.h"
+#include "simulator/core/EngineObservers.h"
+#include "simulator/core/Program.h"
+#include "simulator/isa/Access.h"
+#include "simulator/replay/Events.h"
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace tp {
+
+/// The place of a thread in the order of those that issue in a cycle.
+uint32_t orderOf(const ChipConfig &Chip, uint64_t Cycle, uint32_t Thread);
+
+/// Where an event stands among all: an access comes behind the instruction that
+/// makes it.
+struct EventPlace {
+  Moment At;
+  bool IsAccess = false;
+
+  auto operator<=>(const EventPlace &) const = default;
+};
+
+/// An event that an engine came to.
+struct FoundEvent {
+  ReplayStop::StopKind Kind = ReplayStop::Instruction;
+  /// Before its instruction.
+  Moment At;
+  EventPlace place() const { return {At, Kind == ReplayStop::Access}; }
+  uint32_t Thread = 0;
+  uint32_t Pc = 0;
+  size_t Event = 0;
+  MemoryAccess Access;
+};
+
+/// Finds the first event behind a moment, or the last one before another.
+class EventCollector final : public IssueObserver {
+public:
+  enum Which { First, Last };
+
+  /// Events behind \p After and before \p Before. Everything must outlive it.
+  EventCollector(const ChipConfig &Chip, const Program &Text,
+                 const Events &Wanted, Which Kept,
+                 std::optional<EventPlace> After,
+                 std::optional<EventPlace> Before);
+
+  /// Which words of the text it must see.
+  const std::vector<bool> &words() const { return Words; }
+  /// Sets \p Flag as soon as the first event may have been found.
+  void setFlag(std::atomic<bool> *Flag) { StopFlag = Flag; }
+  bool mayHaveFound() const { return MayHaveFound; }
+  /// What was found up to the end of a run.
+  std::optional<FoundEvent> found();
+
+  void issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
+               const TmRunnerState &Runner) override;
+  void postponed(const Thread &T) override;
+
+private:
+  void keep(const FoundEvent &Candidate);
+  bool isWanted(EventPlace Place) const {
+    return (!After || Place > *After) && (!Before || Place < *Before);
+  }
+  std::optional<FoundEvent> findInstruction(const Probe &Place) const;
+  std::optional<FoundEvent> findAccess(const Probe &Place) const;
+  bool isIn(const AccessEvents &Event, const MemoryAccess &Access,
+            uint32_t Thread) const;
+
+  const ChipConfig &Chip;
+  const Program &Text;
+  const Events &Wanted;
+  const Which Kept;
+  const std::optional<EventPlace> After;
+  const std::optional<EventPlace> Before;
+  const uint32_t LocalBegin;
+  std::vector<bool> Words;
+  /// Of each instruction event, its words; empty: all.
+  std::vector<std::vector<bool>> WordsOf;
+  std::mutex Lock;
+  /// Of each thread, what its last issue was, if an event.
+  std::vector<std::optional<FoundEvent>> Tentative;
+  std::optional<FoundEvent> Best;
+  std::atomic<bool> *StopFlag = nullptr;
+  std::atomic<bool> MayHaveFound = false;
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_REPLAY_EVENTCOLLECTOR_H

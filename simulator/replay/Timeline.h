@@ -1,0 +1,141 @@
+//===- Timeline.h - An engine at any cycle of its run -----------*- C++ -*-===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// An engine can go on only from the beginning of an arbitration window: in the
+// window it simulates one thread after the other. Cutting a run off at any
+// cycle is exact, though. So the state of a cycle is the state of its window's
+// beginning, which is kept, and a run from there that is cut off. Whoever goes
+// on begins again at the window's beginning.
+//
+// Points are saved states along the run. Between each two of them lies a layer
+// of the pages of global memory that have changed: with the contents of its
+// beginning if the engine is behind it, else with those of its end.
+//
+// If the user changes something, the run goes on from where it was cut off: at
+// a point that stays.
+//
+//===----------------------------------------------------------------------===//
+
+#ifndef TP_SIMULATOR_REPLAY_TIMELINE_H
+#define TP_SIMULATOR_REPLAY_TIMELINE_H
+
+#include "simulator/replay/EngineSnapshot.h"
+#include "simulator/replay/EventCollector.h"
+#include "simulator/replay/GlobalHistory.h"
+#include "simulator/replay/Replay.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// Moves an engine to any cycle of its run.
+class Timeline {
+public:
+  /// What must outlive it does so for Engine too.
+  Timeline(const ChipConfig &Chip, const Program &Text, Memory &Global,
+           ReplayOptions Request);
+
+  const std::string &error() const { return Machine.error(); }
+  Engine &engine() { return Machine; }
+  const Engine &engine() const { return Machine; }
+  GlobalHistory &history() { return History; }
+  /// Where the engine is.
+  uint64_t cycle() const { return Machine.cycles(); }
+
+  /// For long runs: ends them when \p Flag is true, which may be null.
+  void setControl(const std::atomic<bool> *Flag, ProgressFunction Function);
+
+  /// Goes to a cycle. If the run ends before, how; the engine is then at the
+  /// end. Stopped: somewhere before.
+  RunResult goTo(uint64_t Cycle);
+  /// Runs from the cycle \p From, or somewhat before, to the end of the window
+  /// in which \p Wanted may have found its first event, at most to \p Limit (0:
+  /// none; then Paused). The engine is then somewhere: goTo() follows.
+  RunResult search(EventCollector &Wanted, uint64_t From, uint64_t Limit);
+  /// The cycle of the last point before \p Cycle; 0 if there is none.
+  uint64_t pointBefore(uint64_t Cycle) const;
+
+  /// Lets \p Function change the engine or the memory where it is.
+  void change(const std::function<void()> &Function);
+
+  CheckpointUse use() const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Point {
+    uint64_t Cycle = 0;
+    EngineSnapshot State;
+    /// Bytes that the program had written.
+    uint64_t Written = 0;
+    /// The user has changed something here.
+    bool IsChange = false;
+    /// To the next point.
+    MemoryLayer ToNext;
+  };
+  /// The beginning of the window that the engine is in, above the last point.
+  struct WindowBegin {
+    uint64_t Cycle = 0;
+    EngineSnapshot State;
+    uint64_t Written = 0;
+  };
+
+  bool isBoundary(uint64_t Cycle) const {
+    return Cycle % Chip.ArbitrationWindow == 0;
+  }
+  /// Where a run to the cycle must begin.
+  uint64_t beginFor(uint64_t Cycle) const;
+  /// The last point that is not behind the cycle.
+  size_t pointFor(uint64_t Cycle) const;
+  /// Goes to the last saved state that is not behind \p Begin, or stays.
+  void restoreFor(uint64_t Begin);
+  void restorePoint(size_t Number);
+  void restoreWindow();
+  void keepWindow();
+  void dropWindow();
+  /// Runs to \p Target, whole windows only unless it is inside of one.
+  RunResult advance(uint64_t Target);
+  RunResult runTo(uint64_t Target);
+  /// The engine has come to the next point.
+  void joinPoint();
+  void addPoint(bool IsChange);
+  void thin();
+  uint64_t bytes() const;
+
+  const ChipConfig &Chip;
+  Memory &Global;
+  const ReplayOptions Request;
+  Engine Machine;
+  GlobalHistory History;
+  std::vector<Point> Points;
+  /// The point that the open layers begin at.
+  size_t Anchor = 0;
+  std::optional<WindowBegin> Window;
+  /// The engine cannot go on.
+  bool IsCut = false;
+
+  uint64_t Written = 0;
+  /// That the user has seen.
+  uint64_t Shown = 0;
+
+  const std::atomic<bool> *UserFlag = nullptr;
+  ProgressFunction Report;
+  EventCollector *Collector = nullptr;
+  std::atomic<bool> StopNow = false;
+  bool PointIsDue = false;
+  Clock::time_point LastPoint = Clock::now();
+  Clock::duration PointCost{};
+};
+
+} // namespace tp
+
+#endif // TP_SIMULATOR_REPLAY_TIMELINE_H
