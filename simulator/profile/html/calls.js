@@ -87,7 +87,7 @@ class CallList {
     const row = this.row(node, depth);
     if (after) after.after(row);
     else this.body.append(row);
-    if (depth < 3 && node.total > whole * 0.05) row.unfold();
+    if (depth < 9 && node.total > whole * 0.2) row.unfold();
     return row;
   }
 

@@ -47,7 +47,9 @@ function usesOverTime(height) {
     "aria-label": "Thread-cycles by use over time",
   });
   const base = all.map(() => 0);
-  for (const use of usesIn(totals)) {
+  const present = uses.map((_, use) =>
+    all.reduce((most, counts) => Math.max(most, counts[use]), 0));
+  for (const use of usesIn(present)) {
     const top = [];
     const bottom = [];
     all.forEach((counts, interval) => {

@@ -94,8 +94,15 @@ class SourceView {
       style: `--heat:${(file.cycles / most).toFixed(4)}`,
       class: file === this.file ? "current" : "",
     }, el("a", { href: sourceLink(file.index), title: file.path },
-      el("span", {}, file.name), el("small", {},
+      el("span", {}, this.listName(file)), el("small", {},
         percent(file.cycles, whole))))));
+  }
+
+  /** The file's name, with its folder if another file has the same name. */
+  listName(file) {
+    const isAlone = this.sorted.every((other) =>
+      other === file || other.name !== file.name);
+    return isAlone ? file.name : file.path.split("/").slice(-2).join("/");
   }
 
   /** Follows a link: #source/<file>/<line>. */
@@ -118,9 +125,16 @@ class SourceView {
     this.selected = null;
     this.showFiles();
     const text = file.text === undefined ? null : file.text.split("\n");
-    this.heading.replaceChildren(el("b", {}, file.path), " ",
-      el("span", {}, `${percent(file.cycles, whole)} of all thread-cycles`),
-      text ? "" : el("em", {}, " The file could not be read; lines only."));
+    const hottest = [...file.lines.values()].find((line) =>
+      line.cycles === file.hottest);
+    this.heading.replaceChildren(el("b", {}, file.path.replace(/^\.\//, "")),
+      ` ${percent(file.cycles, whole)} of all thread-cycles · `,
+      el("a", { href: sourceLink(file.index, hottest.line) }, "hottest line"),
+      " (j: next, k: back)",
+      text ? "" : el("em", {}, " The file could not be read; lines only."),
+      el("div.line.columns", {}, el("span.share", {}, "cycles"),
+        el("span", {}, "issued, lost"), el("span.executed", {}, "executed"),
+        el("span.line-number", {}, "line"), el("span")));
     const numbers = text ? text.map((_, index) => index + 1)
       : [...file.lines.keys()].filter(Boolean).sort((a, b) => a - b);
     if (file.lines.has(0)) numbers.unshift(0);
