@@ -25,7 +25,8 @@ public:
       : Map(Map), Frame(Frame), Options(Options), OS(Text) {}
 
   std::string run(const Value &Of) {
-    if (Of.type().isPointer() && Options.Format == 0 && !isText(Of))
+    if (Of.type().isPointer() && Options.Format == 0 && !isText(Of) &&
+        !Of.isOptimizedOut())
       OS << '(' << Of.type().Name << ") ";
     value(Of, 0);
     return std::move(Text);

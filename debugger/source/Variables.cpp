@@ -44,13 +44,13 @@ static bool isVariable(DWARFDie Die) {
 /// has lost, in the order of their declaration.
 static std::vector<DWARFDie> variablesOf(DWARFDie Block) {
   std::vector<DWARFDie> Result;
-  DWARFDie Origin = originOf(Block);
+  DWARFDie Origin =
+      Block.getAttributeValueAsReferencedDie(DW_AT_abstract_origin);
   DenseMap<uint64_t, DWARFDie> Here;
   for (DWARFDie Child : Block.children())
     if (isVariable(Child))
       Here[originOf(Child).getOffset()] = Child;
-  bool HasModel = Origin && Origin != Block && Block.isSubroutineDIE() &&
-                  any_of(Origin.children(), isVariable);
+  bool HasModel = Origin && Block.isSubroutineDIE();
   DenseSet<uint64_t> Added;
   if (HasModel)
     for (DWARFDie Child : Origin.children())
@@ -104,7 +104,7 @@ std::vector<VariableInfo> Variables::locals(const FrameContext &Frame) const {
       if (Info.Name.empty())
         continue;
       Here.insert(Info.Name);
-      if (Info.IsParameter)
+      if (Info.IsParameter || Info.IsArtificial)
         continue;
       Info.BlockDepth = Depth;
       Info.IsShadowed = Seen.contains(Info.Name);

@@ -141,6 +141,46 @@ static void printEverything(const char *Source, const char *Level) {
   EXPECT_GT(Printed, 50u);
 }
 
+static std::string namesAt(DebuggedProgram &Program, const FrameContext &At) {
+  const Variables &Names = Program.information().variables();
+  std::string Result;
+  for (const VariableInfo &Info : Names.arguments(At))
+    Result += Info.Name + " ";
+  Result += "|";
+  for (const VariableInfo &Info : Names.locals(At))
+    Result += " " + Info.Name + (Info.IsShadowed ? "(shadowed)" : "");
+  return Result;
+}
+
+TEST(Values, ScopesHaveTheirVariables) {
+  DebuggedProgram Program("unit/source/Inputs/expressions.cpp", {"-O0", "-g"});
+  std::vector<std::string> Found;
+  Program.runToCallsOf("stop", [&](const FrameContext &Frame) {
+    Found.push_back(namesAt(Program, Frame));
+  });
+  EXPECT_EQ(Found,
+            std::vector<std::string>(
+                {"A B F Ref Pointer M | X Small Byte Letter Yes Paint Odd "
+                 "State List Position Where Raw Span Alias",
+                 "this Scale | Local", "Root |"}));
+  DebuggedProgram Blocks("Debug/values.cpp", {"-O0", "-g"});
+  std::set<std::string> All;
+  Blocks.runToCallsOf("probe", [&](const FrameContext &Frame) {
+    All.insert(namesAt(Blocks, Frame));
+  });
+  EXPECT_TRUE(All.count("A | R Visits R(shadowed)")) << join(All, "\n");
+  EXPECT_TRUE(All.count("A | Visits R")) << join(All, "\n");
+}
+
+TEST(Values, InlinedFunctionsHaveTheirVariables) {
+  DebuggedProgram Program("Debug/values.cpp", {"-O2", "-g"});
+  std::set<std::string> All;
+  Program.runToCallsOf("probe", [&](const FrameContext &Frame) {
+    All.insert(namesAt(Program, Frame));
+  });
+  EXPECT_TRUE(All.count("Q W | M")) << join(All, "\n");
+}
+
 TEST(Values, AllCanBePrintedEverywhere) {
   for (const char *Level : {"-O0", "-O2", "-Os"}) {
     printEverything("Debug/values.cpp", Level);
