@@ -29,6 +29,10 @@ FunctionPass *createTPAtomicLoopsPass();
 /// attributes that TPBuiltins.def promises.
 ModulePass *createTPBuiltinAttributesPass();
 
+/// Creates the pass that tells checkers of the objects of the stack, with
+/// -tp-check-objects.
+ModulePass *createTPCheckedObjectsPass();
+
 /// Creates the pass that makes values loaded from global memory dear to spill.
 FunctionPass *createTPGlobalLoadsPass();
 
@@ -42,6 +46,7 @@ void initializeTPArgumentVariablesPass(PassRegistry &);
 void initializeTPAsmPrinterPass(PassRegistry &);
 void initializeTPAtomicLoopsPass(PassRegistry &);
 void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
+void initializeTPCheckedObjectsPass(PassRegistry &);
 void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);
 void initializeTPGlobalLoadsPass(PassRegistry &);
 void initializeTPStrictHalfFloatsPass(PassRegistry &);

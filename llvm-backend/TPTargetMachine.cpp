@@ -36,6 +36,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
     initializeTPAsmPrinterPass(Registry);
     initializeTPArgumentVariablesPass(Registry);
     initializeTPAtomicLoopsPass(Registry);
+    initializeTPCheckedObjectsPass(Registry);
     initializeTPBuiltinAttributesLegacyPass(Registry);
     initializeTPDAGToDAGISelLegacyPass(Registry);
     initializeTPGlobalLoadsPass(Registry);
@@ -147,6 +148,7 @@ public:
     addPass(createTPBuiltinAttributesPass());
     addPass(createTPStrictHalfFloatsPass());
     addPass(createTPArgumentVariablesPass());
+    addPass(createTPCheckedObjectsPass());
     addPass(createAtomicExpandLegacyPass());
     addPass(createTPAtomicLoopsPass());
     TargetPassConfig::addIRPasses();

@@ -29,6 +29,7 @@ namespace {
 enum class OptionGroup {
   FloatingPointPreset,
   CheckedFloatingPoint,
+  CheckedObjects,
   FusedMultiplyAdd,
   Trigonometry,
   Outlining,
@@ -60,6 +61,7 @@ static constexpr const char *Fast[] = {"-ffast-math", "-ffp-contract=fast"};
 static constexpr const char *Checked[] = {"-mllvm", "-tp-fp-check",
                                           "-D__TP_CHECK_FP__=1"};
 static constexpr const char *LineTables[] = {"-gline-tables-only"};
+static constexpr const char *WithObjects[] = {"-mllvm", "-tp-check-objects"};
 static constexpr const char *WithFma[] = {"-Xclang", "-target-feature",
                                           "-Xclang", "+fma"};
 static constexpr const char *WithoutFma[] = {"-Xclang", "-target-feature",
@@ -86,6 +88,11 @@ static constexpr OwnOption Options[] = {
      LineTables},
     {"-fno-tp-check-fp", OptionGroup::CheckedFloatingPoint,
      "Do not check floating-point values (default)"},
+    {"-ftp-check-objects", OptionGroup::CheckedObjects,
+     "Let tpsim --check know where objects of the stack begin and end",
+     WithObjects},
+    {"-fno-tp-check-objects", OptionGroup::CheckedObjects,
+     "Do not (default)"},
     {"-mfma", OptionGroup::FusedMultiplyAdd, "The chip has madd_s", WithFma},
     {"-mno-fma", OptionGroup::FusedMultiplyAdd,
      "The chip lacks madd_s (default)", WithoutFma},
@@ -114,6 +121,7 @@ bool isOwnFloatingPointOption(StringRef Word) {
   const OwnOption *Option = findOwnOption(Word);
   return Option && Option->Group != OptionGroup::Trigonometry &&
          Option->Group != OptionGroup::Outlining &&
+         Option->Group != OptionGroup::CheckedObjects &&
          Option->Group != OptionGroup::PrintFloatingPoint;
 }
 

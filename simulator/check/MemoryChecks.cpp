@@ -15,7 +15,10 @@ namespace tp {
 
 MemoryChecks::MemoryChecks(const MemoryCheckOptions &Wanted,
                            CheckedProgram &Program)
-    : Wanted(Wanted), Program(Program) {}
+    : Wanted(Wanted), Program(Program) {
+  for (const AtomicAccess &Known : Program.Elf.atomicAccesses())
+    AtomicAccesses.insert(Known.Address);
+}
 
 void MemoryChecks::start(const AddressSpace &RunSpace, const ChipConfig &Chip,
                          std::span<const FunctionalThread> Threads) {
@@ -139,14 +142,13 @@ void MemoryChecks::trapped(const Trap &Why) {
   if (!Wanted.Stack || (Why.Kind != TrapKind::StackOverflow && !IsBelow))
     return;
   const ThreadShadow &Shadow = Shadows[Why.Thread];
-  uint32_t Top = Space.LocalBegin + Space.LocalBytes;
   Program.Found.add(
       {"stack",
        "stack-overflow",
-       "the stack has grown to " + std::to_string(Top - Shadow.StackPointer) +
-           " bytes below the end of the local store",
-       "it may have " + std::to_string(Top - StackBegin),
-       Why.Address,
+       "the stack takes " + inBytes(Shadow.StackTop - Shadow.StackPointer) +
+           " and may take " + inBytes(Shadow.StackTop - StackBegin),
+       "",
+       std::nullopt,
        0,
        {side("overflow", {Why.Thread, Why.Pc, Shadow.Calls.context()})}});
 }
@@ -162,6 +164,8 @@ void MemoryChecks::stackMoved(FunctionalThread &T, uint32_t) {
   auto isInStore = [this](uint32_t At) {
     return At - Space.LocalBegin <= Space.LocalBytes;
   };
+  if (Before == 0)
+    Shadow.StackTop = Now;
   if (Before == 0 || !isInStore(Now) || !isInStore(Before))
     return;
   if (Now < Before)
@@ -171,6 +175,10 @@ void MemoryChecks::stackMoved(FunctionalThread &T, uint32_t) {
 }
 
 void MemoryChecks::loadUndefined(Step &S, const CheckedAccess &A) {
+  if (AtomicAccesses.contains(A.Pc)) {
+    S.Loaded = 0;
+    return;
+  }
   if (OriginId Known = memoryOf(A).origin(A.Address)) {
     S.LoadedOrigin = Known;
     return;

@@ -21,6 +21,7 @@
 #include "simulator/functional/Checks.h"
 
 #include <memory>
+#include <unordered_set>
 #include <vector>
 
 namespace tp {
@@ -154,6 +155,9 @@ private:
   AddressSpace Space;
   std::unique_ptr<ShadowMemory> Global;
   std::vector<ThreadShadow> Shadows;
+  /// Atomic accesses may be to more than the program means: the rest of the
+  /// word takes part in a comparison whose outcome does not matter.
+  std::unordered_set<uint32_t> AtomicAccesses;
   /// Global memory from here on has never been allocated.
   uint32_t HeapFrontier = UINT32_MAX;
   /// The lowest address that the stack may reach.

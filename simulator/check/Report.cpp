@@ -86,8 +86,21 @@ void Reports::writeSide(const ReportSide &Side) {
        << *Side.Thread / Chip.TpsPerTm << ", TP "
        << *Side.Thread % Chip.TpsPerTm << ')';
   OS << '\n';
+  // Of an endless recursion the ends say all.
+  constexpr size_t MaxInner = 16, MaxOuter = 4;
+  ArrayRef<uint32_t> Stack = Side.Stack;
   unsigned Number = 0;
-  for (uint32_t Pc : Side.Stack) {
+  if (Stack.size() <= MaxInner + MaxOuter)
+    return writeStack(Stack, Number);
+  writeStack(Stack.take_front(MaxInner), Number);
+  OS << "    ... " << Stack.size() - MaxInner - MaxOuter
+     << " calls are left out\n";
+  Number += unsigned(Stack.size() - MaxInner - MaxOuter);
+  writeStack(Stack.take_back(MaxOuter), Number);
+}
+
+void Reports::writeStack(ArrayRef<uint32_t> Stack, unsigned &Number) {
+  for (uint32_t Pc : Stack) {
     const std::vector<SourceFrame> &Places = frames(Pc);
     for (const SourceFrame &Place : Places)
       OS << "    #" << Number++ << ' ' << Symbolizer::describe(Place) << '\n';

@@ -91,6 +91,8 @@ private:
   std::string causeOf(const Report &R);
   void write(const Report &R);
   void writeSide(const ReportSide &Side);
+  /// \p Number is that of the next line.
+  void writeStack(llvm::ArrayRef<uint32_t> Stack, unsigned &Number);
   llvm::json::Value json(const Report &R);
 
   const ChipConfig &Chip;

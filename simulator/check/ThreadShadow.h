@@ -39,6 +39,8 @@ struct ThreadShadow {
   ThreadCallStack Calls;
   /// As it was last seen; 0: there is no stack yet.
   uint32_t StackPointer = 0;
+  /// As it was at first.
+  uint32_t StackTop = 0;
   /// The bytes that the calls of the allocator under way were asked for.
   std::vector<uint32_t> Requests;
   /// The descriptor of the next message about an object of the stack.

@@ -1,0 +1,174 @@
+//===- TPCheckedObjects.cpp - Objects of the stack that are watched -------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+//
+// With -tp-check-objects, each object of the stack whose address is more than
+// that of loads and stores gets bytes before and behind it that are nobody's,
+// and the code tells who watches the run when its life begins and ends
+// (runtime/include/tp/check.h). Lives do not share memory any more.
+//
+//===----------------------------------------------------------------------===//
+
+#include "llvm-backend/TP.h"
+#include "runtime/include/tp/check.h"
+#include "llvm/IR/DIBuilder.h"
+#include "llvm/IR/DebugInfo.h"
+#include "llvm/IR/IRBuilder.h"
+#include "llvm/IR/InlineAsm.h"
+#include "llvm/IR/InstIterator.h"
+#include "llvm/IR/IntrinsicInst.h"
+#include "llvm/IR/Module.h"
+#include "llvm/InitializePasses.h"
+#include "llvm/Pass.h"
+#include "llvm/Support/CommandLine.h"
+#include "llvm/Transforms/Utils/Local.h"
+#include "llvm/Transforms/Utils/PromoteMemToReg.h"
+
+using namespace llvm;
+using tp::CheckedObject;
+using tp::CheckMessage;
+
+#define DEBUG_TYPE "tp-checked-objects"
+
+static cl::opt<bool>
+    CheckObjects("tp-check-objects", cl::Hidden, cl::init(false),
+                 cl::desc("Tell checkers of the objects of the stack"));
+
+namespace {
+
+class TPCheckedObjects : public ModulePass {
+public:
+  static char ID;
+
+  TPCheckedObjects() : ModulePass(ID) {}
+
+  StringRef getPassName() const override { return "TP checked objects"; }
+  bool runOnModule(Module &M) override;
+
+private:
+  void watch(AllocaInst &Object);
+  Constant *describe(const AllocaInst &Object, uint64_t Bytes);
+  void tell(IRBuilder<> &Builder, CheckMessage Message, Value *What);
+  void tellOf(Instruction &Before, CheckMessage Message, Constant *Descriptor,
+              Value *Object);
+};
+
+} // namespace
+
+char TPCheckedObjects::ID = 0;
+
+INITIALIZE_PASS(TPCheckedObjects, DEBUG_TYPE,
+                "Tell checkers of the objects of the stack", false, false)
+
+ModulePass *llvm::createTPCheckedObjectsPass() {
+  return new TPCheckedObjects();
+}
+
+/// Whether accesses to \p Object can go wrong, and it may be moved.
+static bool isWatched(const AllocaInst &Object) {
+  return Object.isStaticAlloca() && !Object.isUsedWithInAlloca() &&
+         !Object.isSwiftError() && !isAllocaPromotable(&Object) &&
+         Object.getAllocationSize(Object.getDataLayout())
+                 .value_or(TypeSize::getFixed(0)) != TypeSize::getFixed(0);
+}
+
+/// The source's name of \p Object.
+static StringRef nameOf(const AllocaInst &Object) {
+  for (const DbgVariableRecord *Record :
+       findDVRDeclares(const_cast<AllocaInst *>(&Object)))
+    return Record->getVariable()->getName();
+  return Object.getName();
+}
+
+Constant *TPCheckedObjects::describe(const AllocaInst &Object, uint64_t Bytes) {
+  Module &M = *const_cast<Module *>(Object.getModule());
+  LLVMContext &Context = M.getContext();
+  auto constant = [&](Constant *Value) {
+    return new GlobalVariable(M, Value->getType(), /*isConstant=*/true,
+                              GlobalValue::PrivateLinkage, Value);
+  };
+  Constant *Name =
+      constant(ConstantDataArray::getString(Context, nameOf(Object)));
+  return constant(ConstantStruct::getAnon(
+      {ConstantInt::get(Type::getInt32Ty(Context), Bytes), Name}));
+}
+
+void TPCheckedObjects::tell(IRBuilder<> &Builder, CheckMessage Message,
+                            Value *What) {
+  Type *Word = Builder.getInt32Ty();
+  auto *Type = FunctionType::get(Builder.getVoidTy(), {Word, What->getType()},
+                                 /*isVarArg=*/false);
+  InlineAsm *Code = InlineAsm::get(Type, "profv $0, $1", "K,r,~{memory}",
+                                   /*hasSideEffects=*/true);
+  Builder.CreateCall(Code, {Builder.getInt32(uint32_t(Message)), What});
+}
+
+void TPCheckedObjects::tellOf(Instruction &Before, CheckMessage Message,
+                              Constant *Descriptor, Value *Object) {
+  IRBuilder<> Builder(&Before);
+  if (Message == CheckMessage::ObjectBegins)
+    tell(Builder, CheckMessage::StackObject, Descriptor);
+  tell(Builder, Message, Object);
+}
+
+void TPCheckedObjects::watch(AllocaInst &Object) {
+  const uint64_t Bytes =
+      Object.getAllocationSize(Object.getDataLayout())->getFixedValue();
+  const Align Alignment =
+      std::max(Object.getAlign(), Align(CheckedObject::PaddingBytes));
+  // The object keeps its alignment behind the padding.
+  const uint64_t Offset = Alignment.value();
+  const uint64_t Whole =
+      Offset + alignTo(Bytes, 8) + CheckedObject::PaddingBytes;
+  Constant *Descriptor = describe(Object, Bytes);
+
+  IRBuilder<> Builder(&Object);
+  AllocaInst *Padded =
+      Builder.CreateAlloca(ArrayType::get(Builder.getInt8Ty(), Whole), nullptr,
+                           Object.getName() + ".padded");
+  Padded->setAlignment(Alignment);
+  auto *Inside = cast<Instruction>(Builder.CreateConstInBoundsGEP1_64(
+      Builder.getInt8Ty(), Padded, Offset, Object.getName()));
+
+  SmallVector<IntrinsicInst *> Lifetimes;
+  for (User *U : Object.users())
+    if (auto *Call = dyn_cast<IntrinsicInst>(U);
+        Call && Call->isLifetimeStartOrEnd())
+      Lifetimes.push_back(Call);
+  bool HasBeginning = false;
+  for (IntrinsicInst *Call : Lifetimes) {
+    bool Begins = Call->getIntrinsicID() == Intrinsic::lifetime_start;
+    HasBeginning |= Begins;
+    tellOf(*Call,
+           Begins ? CheckMessage::ObjectBegins : CheckMessage::ObjectEnds,
+           Descriptor, Inside);
+    Call->eraseFromParent();
+  }
+  if (!HasBeginning) {
+    BasicBlock &Entry = Object.getFunction()->getEntryBlock();
+    BasicBlock::iterator At = std::next(Object.getIterator());
+    while (isa<AllocaInst>(At) && &*At != Entry.getTerminator())
+      ++At;
+    tellOf(*At, CheckMessage::ObjectBegins, Descriptor, Inside);
+  }
+  DIBuilder Information(*Object.getModule(), /*AllowUnresolved=*/false);
+  replaceDbgDeclare(&Object, Padded, Information, DIExpression::ApplyOffset,
+                    int(Offset));
+  Object.replaceAllUsesWith(Inside);
+  Object.eraseFromParent();
+}
+
+bool TPCheckedObjects::runOnModule(Module &M) {
+  if (!CheckObjects)
+    return false;
+  SmallVector<AllocaInst *> Objects;
+  for (Function &F : M)
+    for (Instruction &I : instructions(F))
+      if (auto *Object = dyn_cast<AllocaInst>(&I); Object && isWatched(*Object))
+        Objects.push_back(Object);
+  for (AllocaInst *Object : Objects)
+    watch(*Object);
+  return !Objects.empty();
+}
