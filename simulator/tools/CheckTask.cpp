@@ -12,6 +12,8 @@
 #include "simulator/check/race/RaceChecks.h"
 #include "simulator/tools/OutputFile.h"
 
+#include "llvm/Support/WithColor.h"
+
 #include <algorithm>
 
 using namespace llvm;
@@ -128,6 +130,12 @@ llvm::Error CheckTask::finish(const RunResult &Result) {
                                     uint64_t(Block.Width) * Block.Height * 4,
                                     "the framebuffer");
   }
+  if (Checks->OfRaces && Checks->OfRaces->interruptions() != 0)
+    WithColor::warning(errs(), "tpsim")
+        << "the memory for the order of threads was full "
+        << Checks->OfRaces->interruptions()
+        << " times: races between accesses before and after such a moment are "
+           "not found\n";
   Checks->Found.writeSummary();
   const std::string &Path = Checks->Request.CheckOutput;
   if (Path.empty())
