@@ -63,6 +63,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--bin", type=pathlib.Path,
                         default=ROOT / "build" / "bin")
+    parser.add_argument("--picture", nargs=3, action="append",
+                        metavar=("SCENE", "SIZE", "DEPTH"))
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--limits", action="store_true")
     arguments = parser.parse_args()
@@ -72,7 +74,7 @@ def main():
         run([arguments.bin / "tpcc", "-O3", "-g", "-I", ".",
              "kernels/pathtracer/PathTracer.cpp", "-o", program], cwd=ROOT)
         tpsim = (arguments.bin / "tpsim").resolve()
-        for picture in PICTURES:
+        for picture in arguments.picture or PICTURES:
             if not (ROOT / picture[0]).exists():
                 print(f"{picture[0]}: not there; scripts/scenes.sh makes it")
                 continue
