@@ -91,10 +91,31 @@ static void writeEnumeration(raw_ostream &OS, const Type &Enumeration) {
   OS << "}";
 }
 
+/// The record or enumeration that a pointer, reference or array is of.
+static const Type *innermost(const Type &Of) {
+  const Type *At = &Of.stripped();
+  while (At->isPointer() || At->isReference() || At->Kind == TypeKind::Array) {
+    if (!At->Target)
+      return nullptr;
+    At = &At->Target->stripped();
+  }
+  bool HasDefinition = At->isRecord() || At->Kind == TypeKind::Enumeration;
+  return HasDefinition && At != &Of.stripped() ? At : nullptr;
+}
+
 std::string describeType(const Type &Of) {
   std::string Text;
   raw_string_ostream OS(Text);
   const Type &Plain = Of.stripped();
+  if (const Type *Inner = innermost(Plain)) {
+    // The stars and brackets are what the name has behind the inner one's.
+    size_t At = StringRef(Plain.Name).find(Inner->Name);
+    if (At == StringRef::npos)
+      return Plain.Name;
+    OS << describeType(*Inner) << ' '
+       << StringRef(Plain.Name).drop_front(At + Inner->Name.size()).ltrim();
+    return Text;
+  }
   if (Plain.isRecord())
     writeRecord(OS, Plain);
   else if (Plain.Kind == TypeKind::Enumeration)

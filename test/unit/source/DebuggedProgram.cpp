@@ -13,11 +13,11 @@
 #include "simulator/tools/Options.h"
 
 #include "llvm/Support/FileSystem.h"
-#include "llvm/Support/FileUtilities.h"
 #include "llvm/Support/Program.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <map>
 
 using namespace llvm;
 
@@ -30,31 +30,55 @@ template <class T> static T must(Expected<T> Result, const char *What) {
   std::abort();
 }
 
-static std::string compile(const std::string &Source,
-                           const std::vector<std::string> &Options) {
-  SmallString<128> Path;
-  if (sys::fs::createTemporaryFile("debugged", "elf", Path))
-    std::abort();
-  std::string Input =
-      Source.front() == '/' ? Source : std::string(TP_TESTS) + "/" + Source;
-  std::vector<StringRef> Arguments = {TP_TPCC, Input, "-o", Path};
-  Arguments.insert(Arguments.end(), Options.begin(), Options.end());
-  std::string Problem;
-  if (sys::ExecuteAndWait(TP_TPCC, Arguments, std::nullopt, {}, 120, 0,
-                          &Problem) != 0) {
-    ADD_FAILURE() << "tpcc failed: " << Problem;
-    std::abort();
+namespace {
+
+/// Programs that have been made, by their source and options.
+class Programs {
+public:
+  ~Programs() {
+    for (const auto &[Key, Path] : Paths)
+      sys::fs::remove(Path);
   }
-  return std::string(Path);
-}
+
+  const std::string &get(const std::string &Source,
+                         const std::vector<std::string> &Options) {
+    std::string &Path = Paths[{Source, Options}];
+    if (Path.empty())
+      Path = compile(Source, Options);
+    return Path;
+  }
+
+private:
+  std::map<std::pair<std::string, std::vector<std::string>>, std::string> Paths;
+
+  static std::string compile(const std::string &Source,
+                             const std::vector<std::string> &Options) {
+    SmallString<128> Path;
+    if (sys::fs::createTemporaryFile("debugged", "elf", Path))
+      std::abort();
+    std::string Input =
+        Source.front() == '/' ? Source : std::string(TP_TESTS) + "/" + Source;
+    std::vector<StringRef> Arguments = {TP_TPCC, Input, "-o", Path};
+    Arguments.insert(Arguments.end(), Options.begin(), Options.end());
+    std::string Problem;
+    if (sys::ExecuteAndWait(TP_TPCC, Arguments, std::nullopt, {}, 120, 0,
+                            &Problem) != 0) {
+      ADD_FAILURE() << "tpcc failed: " << Problem;
+      std::abort();
+    }
+    return std::string(Path);
+  }
+};
+
+} // namespace
 
 DebuggedProgram::DebuggedProgram(const std::string &Source,
                                  const std::vector<std::string> &Flags)
     : Chip(must(loadChip("1x1", std::string(TP_TESTS) + "/../simulator/chips"),
                 "chip")) {
   Options Request;
-  Request.Program = compile(Source, Flags);
-  FileRemover Remove(Request.Program);
+  static Programs Made;
+  Request.Program = Made.get(Source, Flags);
   Loaded = must(setUp(Request, Chip), "program");
   Information = std::make_unique<DebugInformation>(Loaded->Elf);
 }

@@ -63,6 +63,16 @@ TEST_F(TypesTest, DefinitionsAsTheSourceHasThem) {
   EXPECT_EQ(describe("Nothing"), "none");
 }
 
+TEST_F(TypesTest, PointersShowWhatTheyPointTo) {
+  TypeTable &Types = Program->information().types();
+  const Type &Color = *Types.find("Color");
+  EXPECT_EQ(describeType(Types.pointerTo(Color)),
+            "enum Color {Red, Green = 5, Blue} *");
+  EXPECT_EQ(describeType(Types.arrayOf(Color, 4)),
+            "enum Color {Red, Green = 5, Blue} [4]");
+  EXPECT_EQ(describeType(Types.pointerTo(Types.basic("int"))), "int *");
+}
+
 TEST_F(TypesTest, NamesMayLackNamespaces) {
   TypeTable &Types = Program->information().types();
   EXPECT_EQ(Types.find("Sphere"), Types.find("scene::Sphere"));
