@@ -67,6 +67,9 @@ template <Subnormals Mode, class Checks = NoChecks> struct FunctionalHandlers {
   /// traps if that was too far.
   static FunctionalHandler afterStackMove() { return checkStack; }
 
+  /// The handler of one behind an instruction that wrote it: the checks look.
+  static FunctionalHandler afterStackWrite() { return noteStack; }
+
   /// Follows the last word of the text.
   static FunctionalHandler endOfText() {
     return trapAtFetch<TrapKind::FetchOutsideText>;
@@ -143,6 +146,12 @@ private:
       TP_FUNCTIONAL_TAIL_CALL of(S->Instruction.Op)(TP_FUNCTIONAL_ARGUMENTS);
     stopAtTrap(T, S, Block, Quantum, R, TrapKind::StackOverflow, StackPointer,
                pcOf(S - 1, R));
+  }
+
+  __attribute__((preserve_none)) static void
+  noteStack(TP_FUNCTIONAL_PARAMETERS) {
+    Checks::of(*R).stackMoved(*T, pcOf(S, R));
+    TP_FUNCTIONAL_TAIL_CALL of(S->Instruction.Op)(TP_FUNCTIONAL_ARGUMENTS);
   }
 
   template <TrapKind Reason>

@@ -10,7 +10,7 @@ namespace tp {
 
 std::vector<FunctionalSlot> decodeFunctional(const Program &Text,
                                              bool FlushToZero) {
-  return decodeWithChecks<NoChecks>(Text, FlushToZero, Text.stackLimit() != 0);
+  return decodeWithChecks<NoChecks>(Text, FlushToZero, /*WatchesStack=*/false);
 }
 
 } // namespace tp

@@ -14,13 +14,29 @@
 
 namespace tp {
 
-/// The handler of \p Op; behind an instruction that has moved the stack pointer
-/// the one that looks at it first.
+/// What the instruction before has done to the stack pointer.
+enum class StackChange : uint8_t {
+  None,
+  /// It has written it.
+  Written,
+  /// It has moved it, so that it may be too low now.
+  Moved,
+};
+
+/// The handler of \p Op behind an instruction that has done \p Change.
 template <class Checks>
-FunctionalHandler functionalHandler(Opcode Op, bool StackHasMoved,
+FunctionalHandler functionalHandler(Opcode Op, StackChange Change,
                                     Subnormals Mode) {
   auto choose = [&]<class Handlers>(Handlers) {
-    return StackHasMoved ? Handlers::afterStackMove() : Handlers::of(Op);
+    switch (Change) {
+    case StackChange::None:
+      return Handlers::of(Op);
+    case StackChange::Written:
+      return Handlers::afterStackWrite();
+    case StackChange::Moved:
+      return Handlers::afterStackMove();
+    }
+    __builtin_unreachable();
   };
   switch (Mode) {
   case Subnormals::Keep:
@@ -34,21 +50,26 @@ FunctionalHandler functionalHandler(Opcode Op, bool StackHasMoved,
 }
 
 /// The text with the handler of each instruction, one slot per word and one
-/// behind it. \p FlushToZero as in the chip's description. Checks want to know
-/// of each move of the stack pointer, others only if the stack has a limit.
+/// behind it. \p FlushToZero as in the chip's description. \p WatchesStack:
+/// the checks want to know of each write of the stack pointer.
 template <class Checks>
 std::vector<FunctionalSlot>
 decodeWithChecks(const Program &Text, bool FlushToZero, bool WatchesStack) {
   std::vector<FunctionalSlot> Slots;
   uint32_t Address = Text.textBegin();
-  bool StackHasMoved = false;
+  StackChange Change = StackChange::None;
   for (const Instruction &Decoded : Text.instructions()) {
     Subnormals Mode = !FlushToZero                   ? Subnormals::Keep
                       : Text.isFloatChecked(Address) ? Subnormals::Trap
                                                      : Subnormals::Flush;
     Slots.push_back(
-        {functionalHandler<Checks>(Decoded.Op, StackHasMoved, Mode), Decoded});
-    StackHasMoved = WatchesStack && movesStackPointer(Decoded);
+        {functionalHandler<Checks>(Decoded.Op, Change, Mode), Decoded});
+    if (Text.stackLimit() != 0 && movesStackPointer(Decoded))
+      Change = StackChange::Moved;
+    else if (WatchesStack && Decoded.Destination == StackPointerRegister)
+      Change = StackChange::Written;
+    else
+      Change = StackChange::None;
     Address += 4;
   }
   Slots.push_back({FunctionalHandlers<Subnormals::Keep, Checks>::endOfText(),

@@ -59,7 +59,7 @@ int main(int ArgumentCount, char **Arguments) {
     Sink = Table[Records[2].Number & 7];
   if (!strcmp(Fault, "output")) {
     // OUTPUT: error: undefined-output: byte 2 of the output is undefined
-    // OUTPUT: in main at {{.*}}init.cpp:[[@LINE+4]]:
+    // OUTPUT: in main at {{.*}}init.cpp:[[@LINE+5]]:
     // OUTPUT: allocated by thread 0
     char *Text = static_cast<char *>(malloc(8));
     memcpy(Text, "ab", 2);
