@@ -2,6 +2,7 @@
 """Configuration of all lit suites. Our tools and LLVM's are on the PATH."""
 
 import os
+import shutil
 import sys
 
 import lit.formats
@@ -36,6 +37,11 @@ config.substitutions += [
     ("%host_cc", config.host_cc),
     ("%host_cxx", config.host_cxx),
     ("%python", sys.executable),
+    ("%profile_schema",
+     os.path.join(config.tp_build_dir, "share", "tp", "profile.schema.json")),
     ("%statistics_schema",
      os.path.join(config.tp_build_dir, "share", "tp", "statistics.schema.json")),
 ]
+
+if shutil.which("gdb"):
+    config.available_features.add("gdb")

@@ -117,7 +117,8 @@ static std::string rowName(const Profile &Data,
 static std::string pathName(const Profile &Data, const StackTree &Tree,
                             uint32_t Node) {
   std::string Name;
-  for (uint32_t Function : reverse(Tree.functionsOf(Node)))
+  std::vector<uint32_t> Functions = Tree.functionsOf(Node);
+  for (uint32_t Function : reverse(Functions))
     Name += (Name.empty() ? "" : " < ") +
             shortName(nameOf(Data.Functions[Function]));
   return Name;
