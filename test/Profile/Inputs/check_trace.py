@@ -54,11 +54,14 @@ def check_sums(spans, statistics, thread):
         name = "issued" if span["cat"] == "issue" else span["name"]
         found[name] += span["args"]["cycles"]
     threads = statistics["threads"]
-    wanted = {"issued": threads["instructions"][thread],
-              **{reason: lost[thread]
-                 for reason, lost in threads["lost"].items()}}
-    if +found != +Counter(wanted):
-        sys.exit(f"thread {thread}: {found}, not {wanted}")
+    wanted = {"issued": threads["instructions"][thread]}
+    if finish := threads["finish_cycle"][thread]:
+        wanted["finished"] = statistics["run"]["cycles"] - finish
+    if len(threads["instructions"]) == 1:
+        wanted.update(statistics["thread_cycles"]["lost"])
+    for name, cycles in wanted.items():
+        if found[name] != cycles:
+            sys.exit(f"thread {thread}: {found[name]} {name}, not {cycles}")
 
 
 def main():
