@@ -25,6 +25,13 @@ DebugInformation::DebugInformation(const ElfProgram &Program) {
   Dwarf = DWARFContext::create(Program.object(),
                                DWARFContext::ProcessDebugRelocations::Process,
                                nullptr, "", Warn, Warn);
+  for (const auto &Unit : Dwarf->normal_units())
+    if (Unit->getDWOId()) {
+      Warnings.push_back(Program.path() +
+                         ": variables and types that are in .dwo files are "
+                         "not read; compile without -gsplit-dwarf");
+      break;
+    }
   Index = std::make_unique<NameIndex>(*Dwarf);
   Map = std::make_unique<SourceMap>(Program, *Dwarf, *Index, Files);
   Types = std::make_unique<TypeTable>(*Index);

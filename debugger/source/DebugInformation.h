@@ -27,7 +27,8 @@ class LocationEvaluator;
 class NameIndex;
 
 /// A program's debug information: files, lines, functions, types, variables
-/// and frames. A program without any has symbols and addresses.
+/// and frames. A program without any has symbols and addresses. What is asked
+/// for is kept, so that no two threads of the host may ask at the same time.
 class DebugInformation {
 public:
   /// \p Program must outlive the object.

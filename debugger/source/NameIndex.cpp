@@ -85,8 +85,23 @@ StringRef withoutTemplateArguments(StringRef Name) {
   return Name;
 }
 
+/// Where an operator's name begins, whose characters are no brackets: npos if
+/// \p Name does not end with one.
+static size_t operatorBegin(StringRef Name) {
+  constexpr StringLiteral Keyword = "operator";
+  size_t At = Name.rfind(Keyword);
+  if (At == StringRef::npos || (At != 0 && Name[At - 1] != ':'))
+    return StringRef::npos;
+  StringRef Behind = Name.drop_front(At + Keyword.size());
+  bool IsWord = !Behind.empty() && (isAlnum(Behind[0]) || Behind[0] == '_');
+  return IsWord ? StringRef::npos : At;
+}
+
 /// Where the last `::` outside of brackets is, or npos.
 static size_t lastSeparator(StringRef Name) {
+  size_t Operator = operatorBegin(Name);
+  if (Operator != StringRef::npos)
+    return Operator >= 2 ? Operator - 2 : StringRef::npos;
   int Depth = 0;
   for (size_t I = Name.size(); I-- > 1;) {
     Depth += Name[I] == '>' || Name[I] == ')';
@@ -100,6 +115,27 @@ static size_t lastSeparator(StringRef Name) {
 StringRef lastComponent(StringRef Qualified) {
   size_t At = lastSeparator(Qualified);
   return At == StringRef::npos ? Qualified : Qualified.drop_front(At + 2);
+}
+
+size_t parameterListOf(StringRef Name) {
+  size_t Operator = operatorBegin(Name.take_front(Name.rfind(')')));
+  size_t Begin = 0;
+  if (Operator != StringRef::npos) {
+    // Of `operator()(int)` the second bracket.
+    Begin = Operator + StringRef("operator").size();
+    if (Name.drop_front(Begin).starts_with("()"))
+      Begin += 2;
+    return Name.find('(', Begin);
+  }
+  int Depth = 0;
+  for (size_t I = 0; I != Name.size(); ++I) {
+    Depth += Name[I] == '<';
+    Depth -= Name[I] == '>';
+    if (Name[I] == '(' && Depth == 0 && I != 0 &&
+        !Name.drop_front(I).starts_with(kAnonymousNamespace))
+      return I;
+  }
+  return StringRef::npos;
 }
 
 static StringRef dropLastComponent(StringRef Qualified) {

@@ -97,6 +97,9 @@ llvm::StringRef withoutTemplateArguments(llvm::StringRef Name);
 /// The last of the names that `::` separates, not those in template arguments.
 llvm::StringRef lastComponent(llvm::StringRef Qualified);
 
+/// Where the parameter types of `name(int)` begin, or npos.
+size_t parameterListOf(llvm::StringRef Name);
+
 /// Whether \p Wanted can mean \p Qualified: it is the same or its last
 /// components; anonymous namespaces, and template arguments where \p Wanted has
 /// none, may be left out.

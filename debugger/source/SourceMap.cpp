@@ -115,9 +115,8 @@ std::vector<uint32_t> SourceMap::findFunctions(StringRef Name) const {
   std::vector<uint32_t> Result;
   Name = Name.trim();
   StringRef Plain = Name, Parameters;
-  if (!Name.contains("operator()") && Name.contains('(') &&
-      !Name.starts_with("(")) {
-    size_t Open = Name.find('(');
+  size_t Open = parameterListOf(Name);
+  if (Open != StringRef::npos) {
     Plain = Name.take_front(Open).rtrim();
     Parameters = Name.drop_front(Open);
   }

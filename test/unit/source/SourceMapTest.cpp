@@ -59,6 +59,27 @@ TEST(SourceMap, FunctionsByName) {
                    "std::array<int, 4U>::size_type)"}));
 }
 
+TEST(SourceMap, OperatorsByName) {
+  DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
+  Names Calls(
+      {"Function::operator()(int) const", "Function::operator()(float) const"});
+  EXPECT_EQ(names(Program, "Function::operator()"), Calls);
+  EXPECT_EQ(names(Program, "operator()"), Calls);
+  EXPECT_EQ(names(Program, "operator()(int)"),
+            Names({"Function::operator()(int) const"}));
+  EXPECT_EQ(names(Program, "Function::operator<"),
+            Names({"Function::operator<(const Function &) const"}));
+  EXPECT_EQ(names(Program, "Function::operator>>(int)"),
+            Names({"Function::operator>>(int) const"}));
+  EXPECT_EQ(names(Program, "operator->"),
+            Names({"Function::operator->() const"}));
+  EXPECT_EQ(names(Program, "Function::operator bool"),
+            Names({"Function::operator bool() const"}));
+  EXPECT_EQ(names(Program, "painted"), Names({"painted<(Color)5>(int)"}));
+  EXPECT_EQ(names(Program, "painted<(Color)5>(int)"),
+            Names({"painted<(Color)5>(int)"}));
+}
+
 TEST(SourceMap, BreakpointsOnFunctionsAreBehindThePrologue) {
   DebuggedProgram Program(Source, {"-O0", "-g", "-fstandalone-debug"});
   const SourceMap &Map = Program.map();

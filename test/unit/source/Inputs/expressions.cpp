@@ -119,6 +119,23 @@ __attribute__((noinline)) int inside(Node *Root) {
 }
 } // namespace user
 
+struct Function {
+  int Base;
+  __attribute__((noinline)) int operator()(int A) const { return A + Base; }
+  __attribute__((noinline)) int operator()(float A) const {
+    return int(A) - Base;
+  }
+  __attribute__((noinline)) bool operator<(const Function &Other) const {
+    return Base < Other.Base;
+  }
+  __attribute__((noinline)) int operator>>(int By) const { return Base >> By; }
+  __attribute__((noinline)) const Function *operator->() const { return this; }
+  __attribute__((noinline)) explicit operator bool() const { return Base; }
+};
+template <Color C> __attribute__((noinline)) int painted(int A) {
+  return A + C;
+}
+
 struct Mixed {
   char Letter;
   short Small;
@@ -164,6 +181,9 @@ int main() {
          int(Access) + Boxed.Used + (Words[0] != nullptr) + Raw[1] +
          scene::Counter::Instances + other::Vector{3}.Other + Global;
   Node Root;
+  Function Object = {3};
+  Sum += Object(1) + Object(2.0f) + (Object < Object) + (Object >> 1) +
+         Object->Base + bool(Object) + painted<Green>(Sum);
   Sum += user::inside(&Root);
   return Sum == 0;
 }
