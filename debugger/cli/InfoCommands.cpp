@@ -21,7 +21,7 @@ void printBreakpoint(Shell &S, const Breakpoint &B) {
                    : !B.Reads        ? "watchpoint"
                    : B.Writes        ? "acc watchpoint"
                                      : "read watchpoint";
-  S.OS << left_justify(utostr(B.Number), 8) << left_justify(Kind, 15)
+  S.OS << left_justify(utostr(B.Number), 8) << left_justify(Kind, 17)
        << (B.Temporary ? "del  " : "keep ") << (B.Enabled ? "y   " : "n   ");
   if (B.isWatchpoint()) {
     S.OS << B.Text << '\n';
@@ -61,7 +61,7 @@ llvm::Error infoBreakpoints(Shell &S, CommandArguments) {
     S.OS << "No breakpoints or watchpoints.\n";
     return llvm::Error::success();
   }
-  S.OS << "Num     Type           Disp Enb What\n";
+  S.OS << "Num     Type             Disp Enb What\n";
   for (const std::unique_ptr<Breakpoint> &B : S.Program.breakpoints().all())
     printBreakpoint(S, *B);
   return llvm::Error::success();

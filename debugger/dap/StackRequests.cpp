@@ -113,6 +113,21 @@ json::Object StackRequests::describeFrame(const Frame &Of, FramePlace Place) {
   return Result;
 }
 
+/// The global variables that the program has kept.
+static std::vector<VariableInfo> keptGlobals(const Variables &Names,
+                                             const FrameContext &Frame) {
+  std::vector<VariableInfo> Globals = Names.globals();
+  erase_if(Globals, [&](const VariableInfo &Global) {
+    Expected<tp::Value> Of = Names.value(Global, Frame);
+    if (Of)
+      return Of->isOptimizedOut();
+    // The row shows the error.
+    consumeError(Of.takeError());
+    return false;
+  });
+  return Globals;
+}
+
 Response StackRequests::scopes(const ScopesArguments &Arguments) {
   Expected<FramePlace> Place = Target.Store.frame(Arguments.FrameId);
   if (!Place)
@@ -140,7 +155,7 @@ Response StackRequests::scopes(const ScopesArguments &Arguments) {
   add("Arguments", "arguments", false,
       std::make_shared<ScopeVariables>(*Scope, Names.arguments(Frame)));
   add("Globals", "globals", true,
-      std::make_shared<ScopeVariables>(*Scope, Names.globals()));
+      std::make_shared<ScopeVariables>(*Scope, keptGlobals(Names, Frame)));
   add("Registers", "registers", true, registerVariables(Frame));
   add("Chip", "", true, chipVariables(*Target.Program, Place->Thread));
   return json::Object{{"scopes", std::move(Scopes)}};

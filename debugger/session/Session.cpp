@@ -107,7 +107,8 @@ FrameContext Session::context(uint32_t Thread) {
   FrameContext Result;
   std::copy_n(State.Registers.begin(), DwarfRegisters,
               Result.Registers.Values.begin());
-  Result.Pc = State.Pc;
+  // A thread that has halted is still in its last function.
+  Result.Pc = State.State == ThreadState::Halted ? State.Pc - 4 : State.Pc;
   Result.Machine = &machine(Thread);
   return Result;
 }
