@@ -65,7 +65,8 @@ Error talkOnPort(uint16_t Port, const Conversation &Talk, raw_ostream &Log) {
   if (!Socket)
     return Socket.takeError();
   scope_exit Close([&] { close(*Socket); });
-  Log << "tpdbg: listening on 127.0.0.1:" << Port << "\n";
+  // In one piece: whoever waits for it may read before the next one.
+  Log << ("tpdbg: listening on 127.0.0.1:" + Twine(Port) + "\n").str();
   Log.flush();
   while (true) {
     int Client = accept(*Socket, nullptr, nullptr);

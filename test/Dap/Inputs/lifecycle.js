@@ -55,7 +55,7 @@ session('after the end time can run back', async (client) => {
 });
 
 session('restart begins again', async (client) => {
-  const { threadId } = await runTo(client, ['call'], { functional: true });
+  const { threadId } = await runTo(client, ['call']);
   const first = (await frames(client, threadId))[0];
   const again = await move(client, 'restart', {});
   assert.equal(again.reason, 'breakpoint');
@@ -107,8 +107,10 @@ test('clients can come by a port, one after the other', async () => {
   const server = spawn('tpdbg', ['--dap', '--port', '0']);
   try {
     const port = await new Promise((resolve) => {
+      let text = '';
       server.stderr.on('data', (data) => {
-        const found = /127\.0\.0\.1:(\d+)/.exec(data);
+        text += data;
+        const found = /127\.0\.0\.1:(\d+)\n/.exec(text);
         if (found)
           resolve(Number(found[1]));
       });

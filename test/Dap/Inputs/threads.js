@@ -14,7 +14,7 @@ async function threads(client) {
 
 session('each thread has a name, a stack and a local store', async (client) => {
   const stop = await runTo(client, ['end'],
-    { chip: '4x32', set: { 'tm.count': 1 }, functional: true });
+    { chip: '4x32', set: { 'tm.count': 1 } });
   assert.equal(stop.allThreadsStopped, true);
   const list = await threads(client);
   assert.equal(list.length, 32);
@@ -80,6 +80,23 @@ session('the chip shows what a thread waits for', async (client) => {
   const names = rows.map((each) => each.name);
   assert.ok(names.includes('cycle') && names.includes('state'), `${names}`);
   assert.ok(Number(rows[names.indexOf('cycle')].value) > 0);
+});
+
+session('a command that goes on is cancelled', async (client) => {
+  const { threadId } = await runTo(client, ['begin'], { chip: '1x1' });
+  await client.setBreakpointsRequest(
+    { source: { path: source }, breakpoints: [] });
+  const [frame] = await frames(client, threadId);
+  const type = (expression) =>
+    client.evaluateRequest({ expression, frameId: frame.id, context: 'repl' });
+  await type('print Missing = 1');
+  const running = type('continue');
+  // One that has not begun would only be taken out of the queue.
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  const stop = move(client, 'cancel', { requestId: client.sequence - 1 });
+  await assert.rejects(running, /cancelled/);
+  assert.equal((await stop).reason, 'pause');
+  assert.ok((await frames(client, threadId)).length > 0);
 });
 
 session('a run is paused, and breakpoints change while it goes on',
