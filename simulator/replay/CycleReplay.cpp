@@ -7,6 +7,7 @@
 #include "simulator/replay/CycleReplay.h"
 #include "simulator/core/Accounting.h"
 #include "simulator/core/ThreadRequests.h"
+#include "simulator/replay/HostBytes.h"
 
 #include <algorithm>
 #include <cassert>
@@ -99,16 +100,8 @@ ReplayThread CycleReplay::thread(uint32_t Number) const {
 
 uint8_t *CycleReplay::host(uint32_t Number, uint32_t Address,
                            uint64_t Bytes) const {
-  if (Bytes == 0)
-    return nullptr;
-  if (Space.isLocal(Address) &&
-      Bytes <= Space.LocalBytes - (Address - Space.LocalBegin))
-    return reinterpret_cast<uint8_t *>(
-        Time.engine().thread(Number).LocalStoreBias + Address);
-  if (Space.isGlobal(Address) &&
-      Bytes <= Space.GlobalBytes - (Address - kGlobalMemoryBegin))
-    return Space.Global + Address;
-  return nullptr;
+  return hostBytes(Space, Time.engine().thread(Number).LocalStoreBias, Address,
+                   Bytes);
 }
 
 bool CycleReplay::read(uint32_t Number, uint32_t Address,
@@ -126,11 +119,7 @@ bool CycleReplay::read(uint32_t Number, uint32_t Address,
 bool CycleReplay::write(uint32_t Number, uint32_t Address,
                         std::span<const uint8_t> Bytes) {
   uint8_t *Target = host(Number, Address, Bytes.size());
-  const uint64_t End = uint64_t(Address) + Bytes.size();
-  const bool IsText =
-      Address < uint64_t(Space.TextBegin) + uint64_t(Space.TextWords) * 4 &&
-      End > Space.TextBegin;
-  if (!Target || IsText)
+  if (!Target || hasText(Space, Address, Bytes.size()))
     return false;
   Time.change([&] {
     if (!Space.isLocal(Address))

@@ -1,48 +1,37 @@
-//===- EngineSnapshot.cpp - An engine's state in little memory ------------===//
+//===- EngineSnapshot.cpp - A machine's state in little memory ------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===----------------------------------------------------------------------===//
 
 #include "simulator/replay/EngineSnapshot.h"
-#include "simulator/core/BufferArchive.h"
 
 #include "llvm/Support/Compression.h"
 #include "llvm/Support/Error.h"
-
-#include <cassert>
 
 using namespace llvm;
 
 namespace tp {
 
-EngineSnapshot::EngineSnapshot(Engine &Machine, bool IsPacked) {
-  SavingArchive A;
-  Machine.serialize(A);
+void EngineSnapshot::keep(const std::vector<uint8_t> &Collected,
+                          bool IsPacked) {
   if (!IsPacked || !compression::zstd::isAvailable()) {
-    State = A.collected();
+    State = Collected;
     return;
   }
   SmallVector<uint8_t> Packed;
-  compression::zstd::compress(A.collected(), Packed,
+  compression::zstd::compress(Collected, Packed,
                               compression::zstd::BestSpeedCompression);
-  UnpackedBytes = A.collected().size();
+  UnpackedBytes = Collected.size();
   State.assign(Packed.begin(), Packed.end());
 }
 
-void EngineSnapshot::restore(Engine &Machine) const {
-  if (UnpackedBytes == 0) {
-    RestoringArchive A(State);
-    Machine.serialize(A);
-    assert(A.isComplete() && "a snapshot of another engine");
-    return;
-  }
-  std::vector<uint8_t> Unpacked(UnpackedBytes);
+std::vector<uint8_t> EngineSnapshot::unpacked() const {
+  std::vector<uint8_t> Result(UnpackedBytes);
   size_t Bytes = UnpackedBytes;
-  cantFail(compression::zstd::decompress(State, Unpacked.data(), Bytes));
-  RestoringArchive A(Unpacked);
-  Machine.serialize(A);
-  assert(A.isComplete() && "a snapshot of another engine");
+  if (Bytes != 0)
+    cantFail(compression::zstd::decompress(State, Result.data(), Bytes));
+  return Result;
 }
 
 } // namespace tp

@@ -10,8 +10,7 @@
 #include "simulator/chip/ChipConfig.h"
 #include "simulator/core/EngineObservers.h"
 #include "simulator/core/Program.h"
-#include "simulator/isa/Access.h"
-#include "simulator/replay/Events.h"
+#include "simulator/replay/EventMatcher.h"
 
 #include <atomic>
 #include <cstdint>
@@ -24,31 +23,11 @@ namespace tp {
 /// The place of a thread in the order of those that issue in a cycle.
 uint32_t orderOf(const ChipConfig &Chip, uint64_t Cycle, uint32_t Thread);
 
-/// Where an event stands among all: an access comes behind the instruction that
-/// makes it.
-struct EventPlace {
-  Moment At;
-  bool IsAccess = false;
-
-  auto operator<=>(const EventPlace &) const = default;
-};
-
-/// An event that an engine came to.
-struct FoundEvent {
-  ReplayStop::StopKind Kind = ReplayStop::Instruction;
-  /// Before its instruction.
-  Moment At;
-  EventPlace place() const { return {At, Kind == ReplayStop::Access}; }
-  uint32_t Thread = 0;
-  uint32_t Pc = 0;
-  size_t Event = 0;
-  MemoryAccess Access;
-};
-
 /// Finds the first event behind a moment, or the last one before another.
 class EventCollector final : public IssueObserver {
 public:
-  enum Which { First, Last };
+  using Which = EventMatcher::Which;
+  using enum EventMatcher::Which;
 
   /// Events behind \p After and before \p Before. Everything must outlive it.
   EventCollector(const ChipConfig &Chip, const Program &Text,
@@ -57,7 +36,7 @@ public:
                  std::optional<EventPlace> Before);
 
   /// Which words of the text it must see.
-  const std::vector<bool> &words() const { return Words; }
+  const std::vector<bool> &words() const { return Matcher.words(); }
   /// Sets \p Flag as soon as the first event may have been found.
   void setFlag(std::atomic<bool> *Flag) { StopFlag = Flag; }
   bool mayHaveFound() const { return MayHaveFound; }
@@ -70,24 +49,10 @@ public:
 
 private:
   void keep(const FoundEvent &Candidate);
-  bool isWanted(EventPlace Place) const {
-    return (!After || Place > *After) && (!Before || Place < *Before);
-  }
-  std::optional<FoundEvent> findInstruction(const Probe &Place) const;
-  std::optional<FoundEvent> findAccess(const Probe &Place) const;
-  bool isIn(const AccessEvents &Event, const MemoryAccess &Access,
-            uint32_t Thread) const;
 
   const ChipConfig &Chip;
   const Program &Text;
-  const Events &Wanted;
-  const Which Kept;
-  const std::optional<EventPlace> After;
-  const std::optional<EventPlace> Before;
-  const uint32_t LocalBegin;
-  std::vector<bool> Words;
-  /// Of each instruction event, its words; empty: all.
-  std::vector<std::vector<bool>> WordsOf;
+  const EventMatcher Matcher;
   std::mutex Lock;
   /// Of each thread, what its last issue was, if an event.
   std::vector<std::optional<FoundEvent>> Tentative;

@@ -98,6 +98,9 @@ struct ReplayOptions {
   /// together near the moment than far from it. The one of the beginning and
   /// one more are kept even if they need more.
   uint64_t CheckpointBytes = uint64_t(512) << 20;
+  /// Makes a checkpoint every so many cycles; 0: as often as is worth the
+  /// host's time.
+  uint64_t CheckpointCycles = 0;
   /// Ends the run; 0: no limit.
   uint64_t MaxCycles = 0;
   unsigned HostThreads = 1;

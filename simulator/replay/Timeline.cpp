@@ -19,7 +19,7 @@ static constexpr int PointCostFactor = 8;
 
 Timeline::Timeline(const ChipConfig &Chip, const Program &Text, Memory &Global,
                    ReplayOptions Request)
-    : Chip(Chip), Global(Global), Request(std::move(Request)),
+    : Chip(Chip), Request(std::move(Request)),
       Machine(Chip, Text, Global, makeMemorySystem(Chip)), History(Global) {
   if (!error().empty())
     return;
@@ -167,6 +167,13 @@ RunResult Timeline::runTo(uint64_t Target) {
   return Machine.run(Limits);
 }
 
+uint64_t Timeline::nextNewPoint() const {
+  if (Request.CheckpointCycles == 0 || Anchor + 1 != Points.size())
+    return NeverCycle;
+  const uint64_t Next = Points.back().Cycle + Request.CheckpointCycles;
+  return (Next / Chip.ArbitrationWindow + 1) * Chip.ArbitrationWindow;
+}
+
 RunResult Timeline::advance(uint64_t Target) {
   assert(!IsCut && "the engine cannot go on");
   while (true) {
@@ -174,7 +181,9 @@ RunResult Timeline::advance(uint64_t Target) {
       return {RunResult::Paused, 0, std::nullopt};
     const bool HasPoint =
         Anchor + 1 < Points.size() && Points[Anchor + 1].Cycle <= Target;
-    const uint64_t Next = HasPoint ? Points[Anchor + 1].Cycle : Target;
+    uint64_t Next = HasPoint ? Points[Anchor + 1].Cycle : Target;
+    const uint64_t NewPoint = HasPoint ? NeverCycle : nextNewPoint();
+    Next = std::min(Next, NewPoint);
     RunResult Result = runTo(Next);
     switch (Result.End) {
     case RunResult::Halted:
@@ -190,9 +199,12 @@ RunResult Timeline::advance(uint64_t Target) {
       break;
     case RunResult::Paused:
     case RunResult::CycleLimit:
-      if (!HasPoint)
+      if (HasPoint)
+        joinPoint();
+      else if (Next == NewPoint)
+        addPoint(/*IsChange=*/false);
+      else
         return Result;
-      joinPoint();
       break;
     }
   }

@@ -105,6 +105,8 @@ private:
   /// Runs to \p Target, whole windows only unless it is inside of one.
   RunResult advance(uint64_t Target);
   RunResult runTo(uint64_t Target);
+  /// Where a point is to be made in any case.
+  uint64_t nextNewPoint() const;
   /// The engine has come to the next point.
   void joinPoint();
   void addPoint(bool IsChange);
@@ -112,7 +114,6 @@ private:
   uint64_t bytes() const;
 
   const ChipConfig &Chip;
-  Memory &Global;
   const ReplayOptions Request;
   Engine Machine;
   GlobalHistory History;
