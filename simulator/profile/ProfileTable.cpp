@@ -181,7 +181,11 @@ public:
     share(Sum({Loss::IcacheConflict, Loss::IcacheMiss, Loss::Branch}), 7);
     share(Sum({Loss::Barrier, Loss::Sync, Loss::Sleep}), 7);
     writeLatency(Row.Memory);
-    OS << "  " << Row.Name << '\n';
+    // A path may be very long; its inner end tells most.
+    constexpr size_t MaxName = 80;
+    bool IsCut = Row.Name.size() > MaxName;
+    OS << "  " << StringRef(Row.Name).take_front(MaxName)
+       << (IsCut ? "...\n" : "\n");
   }
 
 private:
