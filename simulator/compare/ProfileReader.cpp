@@ -24,6 +24,7 @@ static CycleCounts countsOf(const ProfileCounts &Counts) {
 /// The source line of each frame.
 static std::vector<SourceLine> linesOf(const Profile &Data) {
   std::vector<SourceLine> Lines;
+  Lines.reserve(Data.Frames.size());
   for (const ProfileFrame &Frame : Data.Frames)
     Lines.push_back({Data.Functions[Frame.Function].Name,
                      Frame.File ? Data.Files[*Frame.File].Path : "",

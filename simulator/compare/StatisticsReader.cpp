@@ -10,7 +10,7 @@
 using namespace llvm;
 
 namespace tp {
-namespace {
+namespace json_entries {
 
 /// An entry of `instructions_by_pc`.
 struct PcEntry {
@@ -18,7 +18,12 @@ struct PcEntry {
   CycleCounts Counts{};
 };
 
-bool fromJSON(const json::Value &Json, PcEntry &Entry, json::Path Path) {
+/// An entry of `instructions_by_opcode`.
+struct OpcodeEntry {
+  int64_t Executed = 0;
+};
+
+static bool fromJSON(const json::Value &Json, PcEntry &Entry, json::Path Path) {
   json::ObjectMapper Object(Json, Path);
   const json::Object *Fields = Json.getAsObject();
   return Object && Object.map("executed", Entry.Counts[0]) &&
@@ -29,15 +34,15 @@ bool fromJSON(const json::Value &Json, PcEntry &Entry, json::Path Path) {
           readLost(*Fields->get("lost"), Entry.Counts, Path.field("lost")));
 }
 
-/// An entry of `instructions_by_opcode`.
-struct OpcodeEntry {
-  int64_t Executed = 0;
-};
-
-bool fromJSON(const json::Value &Json, OpcodeEntry &Entry, json::Path Path) {
+static bool fromJSON(const json::Value &Json, OpcodeEntry &Entry,
+                     json::Path Path) {
   json::ObjectMapper Object(Json, Path);
   return Object && Object.map("executed", Entry.Executed);
 }
+
+} // namespace json_entries
+
+namespace {
 
 /// A figure and the names of the objects that it is in.
 struct FigurePlace {
@@ -85,18 +90,18 @@ static bool readPcs(const json::Object &Statistics, ComparedRun &Run,
   const json::Value *Block = Statistics.get("instructions_by_pc");
   if (!Block)
     return true;
-  std::vector<PcEntry> Entries;
+  std::vector<json_entries::PcEntry> Entries;
   if (!json::fromJSON(*Block, Entries, Path.field("instructions_by_pc")))
     return false;
   Run.Lines.emplace();
-  for (const PcEntry &Entry : Entries)
+  for (const json_entries::PcEntry &Entry : Entries)
     add((*Run.Lines)[Entry.Line], Entry.Counts);
   return true;
 }
 
 static bool readOpcodes(const json::Object &Statistics, ComparedRun &Run,
                         json::Path Path) {
-  std::map<std::string, OpcodeEntry> Entries;
+  std::map<std::string, json_entries::OpcodeEntry> Entries;
   const json::Value *Block = Statistics.get("instructions_by_opcode");
   if (!Block) {
     Path.field("instructions_by_opcode").report("missing value");

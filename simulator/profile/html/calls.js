@@ -95,7 +95,8 @@ class CallList {
     const mark = el("button.fold", {
       disabled: node.children.length === 0, "aria-label": "Unfold",
     }, node.children.length === 0 ? "·" : "▸");
-    const row = el("tr", { "aria-level": depth + 1 },
+    const row = el("tr", { "aria-level": depth + 1,
+      "data-cycles": Math.round(node.total) },
       el("td.name", { style: `padding-left:${depth * 1.1 + 0.4}rem`,
         title: node.name }, mark,
       node.kind === "inlined" ? el("em", {}, shortName(node.name))

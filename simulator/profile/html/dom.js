@@ -23,8 +23,10 @@ function svg(tag, attributes = {}, ...children) {
 function setAttributes(element, classes, attributes) {
   element.classList.add(...classes);
   for (const [key, value] of Object.entries(attributes))
-    if (key === "class") element.classList.add(...value.split(" ").filter(Boolean));
-    else if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
+    if (key === "class")
+      element.classList.add(...value.split(" ").filter(Boolean));
+    else if (key.startsWith("on"))
+      element.addEventListener(key.slice(2), value);
     else if (value !== false && value !== undefined)
       element.setAttribute(key, value === true ? "" : value);
 }
@@ -94,10 +96,10 @@ function showTooltip(event, ...content) {
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   const right = event.clientX + 14 + width < window.innerWidth;
   const below = event.clientY + 14 + height < window.innerHeight;
-  tooltip.style.left =
-    `${Math.max(4, right ? event.clientX + 14 : event.clientX - 14 - width)}px`;
-  tooltip.style.top =
-    `${Math.max(4, below ? event.clientY + 14 : event.clientY - 14 - height)}px`;
+  const left = right ? event.clientX + 14 : event.clientX - 14 - width;
+  const top = below ? event.clientY + 14 : event.clientY - 14 - height;
+  tooltip.style.left = `${Math.max(4, left)}px`;
+  tooltip.style.top = `${Math.max(4, top)}px`;
 }
 
 function hideTooltip() {

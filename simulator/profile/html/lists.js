@@ -58,7 +58,7 @@ function linesView() {
 /** Accesses that one level served, as a column. */
 function levelColumn(level, label) {
   const of = (row) => row.served?.[level]?.accesses ?? 0;
-  return countColumn(label, of, "accesses served there", (value) => short(value));
+  return countColumn(label, of, "accesses served there");
 }
 
 function latencyOf(row) {

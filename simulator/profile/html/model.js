@@ -9,13 +9,15 @@ const { statistics } = profile;
 const uses = [
   ["issued", "issued", "an instruction was issued"],
   ["data", "data", "waited for a unit or the local store"],
-  ["memory", "memory", "waited for memory of fixed latency, or for an answer that was still on its way"],
+  ["memory", "memory", "waited for memory of fixed latency, or for an answer "
+    + "that was still on its way"],
   ["l1", "L1", "waited for a load or atomic that the L1 served"],
   ["l2", "L2", "waited for a load or atomic that the L2 served"],
   ["dram", "DRAM", "waited for a load or atomic that DRAM served"],
   ["store_buffer", "store buffer", "found the store buffer full"],
   ["unit_conflict", "unit conflict", "found no free functional unit"],
-  ["icache_conflict", "icache conflict", "found no free port of the instruction cache"],
+  ["icache_conflict", "icache conflict",
+    "found no free port of the instruction cache"],
   ["icache_miss", "icache miss", "waited for a line of the instruction cache"],
   ["branch", "branch", "waited for the target of a branch"],
   ["barrier", "barrier", "waited at a barrier"],

@@ -59,9 +59,9 @@ function callTree() {
   const inlined = inlinedTrees();
   const root = makeNode("(all threads)", "", "root");
   const nodes = [];
-  const uses = new Map();
+  const nodesOf = new Map();
   for (const entry of profile.call_tree)
-    uses.set(entry.function, (uses.get(entry.function) ?? 0) + 1);
+    nodesOf.set(entry.function, (nodesOf.get(entry.function) ?? 0) + 1);
   profile.call_tree.forEach((entry, index) => {
     const site = entry.call_site === undefined ? ""
       : placeText(instructions[entry.call_site].frame);
@@ -73,7 +73,9 @@ function callTree() {
       const all = treeCounts(source);
       const shares = all.map((cycles, use) =>
         cycles === 0 ? 0 : counts[use] / cycles);
-      graft(node, source, shares, uses.get(entry.function) > 1);
+      graft(node, source, shares, nodesOf.get(entry.function) > 1);
+      addTo(node.self, counts.map((cycles, use) =>
+        (all[use] === 0 ? cycles : 0)));
     } else node.self = counts;
     nodes.push(node);
     const parent = entry.caller === undefined ? root : nodes[entry.caller];

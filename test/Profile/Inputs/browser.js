@@ -25,7 +25,8 @@ function check(condition, message) {
 async function withReport(path, options, test) {
   const binary = execFileSync("sh", ["-c", "command -v chromium"])
     .toString().trim();
-  const browser = await chromium.launch({ executablePath: binary, args: flags });
+  const browser = await chromium.launch(
+    { executablePath: binary, args: flags });
   const context = await browser.newContext({
     viewport: { width: 1366, height: 820 }, ...options,
   });

@@ -7,7 +7,8 @@ const { check, fail, withReport } = require("./browser.js");
 
 async function checkPlain(page) {
   await page.keyboard.press("3");
-  const names = await page.locator("main tbody td:nth-child(1)").allInnerTexts();
+  const names = await page.locator("main tbody td:nth-child(1)")
+    .allInnerTexts();
   check(names.some((name) => name.startsWith("</script><b>"))
     && names.some((name) => name.startsWith("main")), `functions: ${names}`);
   await page.keyboard.press("2");

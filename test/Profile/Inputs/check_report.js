@@ -112,8 +112,8 @@ async function checkFunctions(page) {
 async function checkCalls(page) {
   await show(page, "calls");
   const row = page.locator(".call-list tbody tr");
-  const [total] = await row.first().locator("td.number").allInnerTexts();
-  check(percentOf(total) === 100, `the tree of calls has ${total}`);
+  const total = Number(await row.first().getAttribute("data-cycles"));
+  check(total === whole, `the tree of calls has ${total} thread-cycles`);
   const before = await row.count();
   await page.locator(".call-list tr[aria-level='1'] .fold").click();
   check(await row.count() === 1, "the tree does not fold");
@@ -158,11 +158,28 @@ async function checkMemory(page) {
     `${rows} accesses to memory instead of ${expected}`);
 }
 
+/** What the rays did is that of the statistics. */
+async function checkRays(page) {
+  await show(page, "rays");
+  const rays = profile.statistics.ray_profile;
+  const cells = await texts(page, "main .table tbody tr:first-child td");
+  check(numberOf(cells[3]) === rays.nodes_visited,
+    `${cells[3]} nodes instead of ${rays.nodes_visited}`);
+  check(await page.locator(".rate-chart .point").count() === 3,
+    "the chart of the rates has not three points");
+  const sticks = page.locator(".column-chart").nth(1).locator(".column");
+  const depths = Math.max(rays.cache.hits_by_depth.length,
+    rays.cache.loads_by_depth.length);
+  check(await sticks.count() === depths,
+    `the cache has not ${depths} depths`);
+}
+
 /** Light and dark are different, by the system's choice and by the key. */
 async function checkThemes(page) {
   const luminance = () => page.evaluate(() => {
     const color = getComputedStyle(document.body).backgroundColor;
-    return color.match(/[\d.]+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0);
+    return color.match(/[\d.]+/g).slice(0, 3)
+      .reduce((sum, channel) => sum + Number(channel), 0);
   });
   await page.emulateMedia({ colorScheme: "light" });
   const light = await luminance();
@@ -202,6 +219,7 @@ async function checkAll(page) {
   await checkCalls(page);
   await checkChip(page);
   await checkMemory(page);
+  await checkRays(page);
   await checkThemes(page);
   await checkKeys(page);
   await checkWidth(page);
