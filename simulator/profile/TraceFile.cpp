@@ -29,7 +29,8 @@ class TraceFileWriter {
 public:
   TraceFileWriter(const ChipConfig &Chip, const ElfProgram &Program,
                   raw_ostream &OS)
-      : Chip(Chip), Program(Program), Symbols(Program), OS(OS), Json(OS) {}
+      : Chip(Chip), Program(Program), Symbols(Program, SourcePaths::Relative),
+        OS(OS), Json(OS) {}
 
   void write(ArrayRef<ThreadTrace> Traces) {
     Json.object([&] {
