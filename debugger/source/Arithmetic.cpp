@@ -400,8 +400,9 @@ Expected<Value> Arithmetic::convert(const Value &From, const Type &To,
     if (isSameType(Source->type(), To))
       return Source->as(To);
     // A view of the same memory; gdb allows it when the sizes are the same.
-    if (Source->type().Size == Target.Size && Source->address())
-      return Value::inMemory(To, *Source->address());
+    std::optional<uint32_t> Address = Source->address();
+    if (Source->type().Size == Target.Size && Address)
+      return Value::inMemory(To, *Address);
     return createStringError("Invalid cast.");
   }
   if (KeepBits && Source->type().Size == Target.Size) {

@@ -159,13 +159,20 @@ Expected<std::optional<Sequence>> elementsOf(const Value &Of,
   return std::nullopt;
 }
 
+/// A container that cannot be read is shown by its members.
+static std::optional<Sequence> readableElements(const Value &Of,
+                                                const FrameContext &Frame) {
+  Expected<std::optional<Sequence>> Elements = elementsOf(Of, Frame);
+  if (Elements)
+    return std::move(*Elements);
+  consumeError(Elements.takeError());
+  return std::nullopt;
+}
+
 uint32_t childCount(const Value &Of, const FrameContext &Frame) {
   const Type &Plain = Of.type().stripped();
-  Expected<std::optional<Sequence>> Elements = elementsOf(Of, Frame);
-  if (!Elements)
-    consumeError(Elements.takeError());
-  else if (*Elements)
-    return (*Elements)->Count;
+  if (std::optional<Sequence> Elements = readableElements(Of, Frame))
+    return Elements->Count;
   if (Plain.isRecord())
     return uint32_t(Plain.Members.size());
   if (!Plain.isPointer() && !Plain.isReference())
@@ -183,13 +190,9 @@ Expected<std::vector<NamedValue>> children(const Value &Of,
   First = std::min(First, All);
   uint32_t Last = First + std::min(Count, All - First);
   const Type &Plain = Of.type().stripped();
-  Expected<std::optional<Sequence>> Elements = elementsOf(Of, Frame);
-  if (!Elements) {
-    consumeError(Elements.takeError());
-  } else if (*Elements) {
+  if (std::optional<Sequence> Elements = readableElements(Of, Frame)) {
     for (uint32_t I = First; I != Last; ++I)
-      Result.push_back(
-          {"[" + std::to_string(I) + "]", (*Elements)->at(I), false});
+      Result.push_back({"[" + std::to_string(I) + "]", Elements->at(I), false});
     return Result;
   }
   if (Plain.isRecord()) {

@@ -66,7 +66,10 @@ Expected<Value> ExpressionEvaluator::registerValue(StringRef Name,
       return Cfa.takeError();
     return Value::integer(Pointer, *Cfa);
   }
-  unsigned Number = *registerNumber(Name);
+  std::optional<unsigned> Found = registerNumber(Name);
+  if (!Found)
+    return createStringError("There is no register $" + Name + ".");
+  unsigned Number = *Found;
   bool IsAddress = Name == "sp" || Name == "fp" || Name == "ra";
   const Type &Of = IsAddress                   ? Pointer
                    : Number >= DwarfFirstFloat ? Types.basic("float")
@@ -326,14 +329,14 @@ Expected<Value> ExpressionEvaluator::index(const ExpressionNode &Node,
     Expected<std::optional<Sequence>> Elements = elementsOf(*Object, At.Frame);
     if (!Elements)
       return Elements.takeError();
-    if (!*Elements)
+    const std::optional<Sequence> &List = *Elements;
+    if (!List)
       return createStringError("cannot subscript something of type `" +
                                Object->type().Name + "'");
-    bool IsInMemory = (*Elements)->First.isValid() &&
-                      (*Elements)->First.address().has_value();
-    if (!IsInMemory && *Number >= (*Elements)->Count)
+    bool IsInMemory = List->First.isValid() && List->First.address();
+    if (!IsInMemory && *Number >= List->Count)
       return createStringError("no such vector element");
-    return (*Elements)->at(uint32_t(*Number));
+    return List->at(uint32_t(*Number));
   }
   Expected<Value> Sum =
       Math.binary(OperatorKind::Add, *Object, *Index, At.Frame);

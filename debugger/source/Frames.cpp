@@ -234,7 +234,7 @@ void Unwinder::addFrames(const FrameContext &Context, uint32_t Cfa,
     Frame Unknown;
     Unknown.Context = Context;
     Unknown.Cfa = Cfa;
-    Frames.push_back(std::move(Unknown));
+    Frames.push_back(Unknown);
     return;
   }
   for (unsigned Depth = 0; Depth != Calls.size() && Frames.size() < Limit;
@@ -246,7 +246,7 @@ void Unwinder::addFrames(const FrameContext &Context, uint32_t Cfa,
     Next.Function = Calls[Depth].Function;
     Next.Position = Calls[Depth].Position;
     Next.Inlined = Depth + 1 != Calls.size();
-    Frames.push_back(std::move(Next));
+    Frames.push_back(Next);
   }
 }
 
@@ -275,14 +275,15 @@ Backtrace Unwinder::backtrace(const FrameContext &Innermost,
       Result.Problem = toString(Caller.takeError());
       return Result;
     }
-    if (!*Caller)
+    const std::optional<FrameContext> &Outer = *Caller;
+    if (!Outer)
       return Result;
-    if (*Cfa == Previous && (*Caller)->Pc == At.Pc) {
+    if (*Cfa == Previous && Outer->Pc == At.Pc) {
       Result.Problem = "the stack is corrupt: a frame is its own caller";
       return Result;
     }
     Previous = *Cfa;
-    At = **Caller;
+    At = *Outer;
   }
 }
 

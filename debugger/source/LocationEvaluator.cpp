@@ -91,9 +91,10 @@ LocationEvaluator::number(DWARFDie Die, Attribute Name,
         LocationStack(*this, *Die.getDwarfUnit(), Frame).number(*Block);
     if (!Result)
       return Result.takeError();
-    if (!*Result)
+    const std::optional<uint64_t> &Number = *Result;
+    if (!Number)
       return std::nullopt;
-    return int64_t(**Result);
+    return int64_t(*Number);
   }
   DWARFDie Variable = Die.getAttributeValueAsReferencedDie(*Form);
   if (!Variable)
@@ -134,9 +135,10 @@ LocationEvaluator::frameBase(const FrameContext &Frame) const {
       LocationStack(*this, *Die.getDwarfUnit(), Frame).number(*Block);
   if (!Base)
     return Base.takeError();
-  if (!*Base)
+  const std::optional<uint64_t> &Number = *Base;
+  if (!Number)
     return createStringError("the frame base is not known");
-  return uint32_t(**Base);
+  return uint32_t(*Number);
 }
 
 void LocationEvaluator::readCallSites(DWARFDie Die) const {
@@ -182,9 +184,10 @@ LocationEvaluator::entryValue(ArrayRef<uint8_t> Expression,
     return std::nullopt;
   }
   std::optional<uint32_t> Function = Map.functionAt(Frame.lookupPc());
-  if (!*Caller || !Function)
+  const std::optional<FrameContext> &Outer = *Caller;
+  if (!Outer || !Function)
     return std::nullopt;
-  DWARFDie Site = callSite((*Caller)->Pc);
+  DWARFDie Site = callSite(Outer->Pc);
   if (!Site || !calls(Site, Map.function(*Function).Die))
     return std::nullopt;
   for (DWARFDie Parameter : Site.children()) {
@@ -196,7 +199,7 @@ LocationEvaluator::entryValue(ArrayRef<uint8_t> Expression,
         Parameter.find(ArrayRef{DW_AT_call_value, DW_AT_GNU_call_site_value}));
     if (!Value)
       return std::nullopt;
-    return LocationStack(*this, *Parameter.getDwarfUnit(), **Caller)
+    return LocationStack(*this, *Parameter.getDwarfUnit(), *Outer)
         .number(*Value);
   }
   return std::nullopt;

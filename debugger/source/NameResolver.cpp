@@ -70,8 +70,8 @@ Expected<Value> NameResolver::member(const Value &Object, StringRef Name,
       staticMember(Object.type(), Name, Frame);
   if (!Static)
     return Static.takeError();
-  if (*Static)
-    return **Static;
+  if (const std::optional<Value> &Found = *Static)
+    return *Found;
   return createStringError("There is no member named " + Name + ".");
 }
 
@@ -151,8 +151,8 @@ Expected<BoundName> NameResolver::bind(StringRef Name,
   Expected<std::optional<Value>> Static = qualifiedMember(Name, Frame);
   if (!Static)
     return Static.takeError();
-  if (*Static) {
-    Result.Fixed = **Static;
+  if (const std::optional<Value> &Found = *Static) {
+    Result.Fixed = *Found;
     return Result;
   }
   if (std::optional<Value> Code = function(Name)) {

@@ -165,9 +165,9 @@ static std::optional<uint64_t> addedConstant(const DWARFFormValue &Form) {
 /// Where a member is, in bits; nothing if that is not constant.
 static std::optional<uint64_t> bitPosition(DWARFDie Die, uint32_t BitSize,
                                            uint32_t TypeSize) {
-  if (std::optional<uint64_t> Bits =
-          toUnsigned(Die.find(DW_AT_data_bit_offset)))
-    return *Bits;
+  std::optional<uint64_t> Bits = toUnsigned(Die.find(DW_AT_data_bit_offset));
+  if (Bits)
+    return Bits;
   uint64_t Bytes = 0;
   if (std::optional<DWARFFormValue> Form =
           Die.find(DW_AT_data_member_location)) {

@@ -98,8 +98,8 @@ void ValuePrinter::Writer::value(const Value &Of, unsigned Depth) {
   Expected<std::optional<Sequence>> Elements = elementsOf(Of, Frame);
   if (!Elements)
     return problem(Elements.takeError());
-  if (*Elements)
-    return sequence(**Elements, Depth);
+  if (const std::optional<Sequence> &List = *Elements)
+    return sequence(*List, Depth);
   if (Plain.isRecord())
     return record(Of, Depth);
   if (Options.Format)

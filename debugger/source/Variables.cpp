@@ -192,8 +192,8 @@ Expected<Value> Variables::value(const VariableInfo &Variable,
           Locations.number(Child, DW_AT_count, Frame);
       if (!Count)
         return Count.takeError();
-      if (*Count)
-        Of = &Types.arrayOf(*Plain.Target, uint32_t(**Count));
+      if (const std::optional<int64_t> &Number = *Count)
+        Of = &Types.arrayOf(*Plain.Target, uint32_t(*Number));
       break;
     }
   Expected<std::vector<ValuePiece>> Places =
