@@ -118,6 +118,8 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
   if (A.isRestoring()) {
     Final.reset();
     FirstTrap.reset();
+    for (std::unique_ptr<Runner> &R : Runners)
+      R->FirstTrap.reset();
   }
   for (InstructionCache &Icache : Icaches)
     A(Icache);
