@@ -11,7 +11,7 @@ const Module = require('node:module');
 const path = require('node:path');
 const { test } = require('node:test');
 
-const examples = process.argv[2];
+const examples = path.resolve(process.argv[2]);
 const extension = path.join(examples, 'vscode', 'tp-debug');
 const manifest = JSON.parse(
   fs.readFileSync(path.join(extension, 'package.json'), 'utf8'));
@@ -29,8 +29,8 @@ test('the attributes are the options that concern what is run', () => {
     .map((name) => name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`));
   for (const name of named)
     assert.match(help, new RegExp(`--${name}\\b`));
-  const foreign = ['help', 'version', 'batch', 'dap', 'port', 'quiet', 'ex',
-    'x', 'command'];
+  const foreign = ['help', 'version', 'batch', 'dap', 'port', 'eval-command',
+    'command'];
   for (const [, name] of help.matchAll(/^\s*--([a-z-]+)/gm))
     assert.ok(foreign.includes(name) || named.includes(name), name);
 });
