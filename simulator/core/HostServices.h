@@ -24,13 +24,14 @@ public:
   uint32_t load(uint32_t Address) override;
   void store(uint32_t Address, uint32_t Value) override;
   void reject() override { fail(TrapKind::BadStream, Descriptor); }
+  /// Whether the word may be accessed; if not, the operation has failed.
+  bool check(uint32_t Address);
 
   bool failed() const { return Failed; }
   TrapKind kind() const { return Kind; }
   uint32_t address() const { return Address; }
 
 private:
-  bool check(uint32_t Address);
   void fail(TrapKind NewKind, uint32_t NewAddress);
 
   const AddressSpace &Space;

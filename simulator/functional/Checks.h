@@ -42,6 +42,8 @@ struct CheckedAccess {
   uint32_t Bytes;
   const uint8_t *Host;
   bool IsLocal;
+  /// Instructions that all threads have executed before.
+  uint64_t Number = 0;
 };
 
 /// Checks as the machine sees them.
@@ -79,14 +81,14 @@ struct NoChecks {
   template <Opcode Op>
   void branched(FunctionalThread &, uint32_t /*Pc*/, const Instruction &,
                 uint32_t /*Target*/) {}
-  /// The instruction before \p Pc has moved the stack pointer.
+  /// The instruction before \p Pc has written the stack pointer.
   void stackMoved(FunctionalThread &, uint32_t /*Pc*/) {}
 
   void load(Step &, const CheckedAccess &) {}
   void store(Step &, const CheckedAccess &) {}
   /// A word is read and written.
   void atomic(Step &, const CheckedAccess &) {}
-  /// Words of one stream operation.
+  /// Words of one stream operation; nothing has been stored yet.
   void streamLoad(Step &, const CheckedAccess &) {}
   void streamStore(Step &, const CheckedAccess &) {}
   /// A host call reads [Address, Address + Bytes).

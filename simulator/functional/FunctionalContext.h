@@ -198,9 +198,9 @@ private:
       return Value;
     }
     void store(uint32_t Address, uint32_t Value) override {
-      Memory.store(Address, Value);
-      if (!Memory.failed())
+      if (Memory.check(Address))
         Context.checks().streamStore(Context.Step, access(Address));
+      Memory.store(Address, Value);
     }
     void reject() override { Memory.reject(); }
 
@@ -216,7 +216,13 @@ private:
 
   decltype(auto) checks() { return Checks::of(Shared); }
   CheckedAccess accessTo(uint32_t At, uint32_t Bytes, const uint8_t *Host) {
-    return {T, Pc, At, Bytes, Host, Shared.Space.isLocal(At)};
+    return {T,
+            Pc,
+            At,
+            Bytes,
+            Host,
+            Shared.Space.isLocal(At),
+            Shared.IssuedByOthers + Issued};
   }
   uint8_t *localPointer(uint32_t At) const {
     return reinterpret_cast<uint8_t *>(T.LocalStoreBias + At);

@@ -6,9 +6,12 @@
 
 #include "simulator/functional/FunctionalMachine.h"
 
+#include "simulator/core/Archive.h"
 #include "simulator/functional/FunctionalCode.h"
 #include "simulator/functional/FunctionalText.h"
+#include "simulator/functional/InstructionStops.h"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <utility>
@@ -32,16 +35,27 @@ public:
   void setCodeGenerator(std::unique_ptr<FunctionalCodeGenerator> Generator);
   void setStepObserver(uint32_t Thread, StepObserver Function);
   void setChecks(ExecutionChecks &Checks);
+  InstructionStops &stops();
+  void serialize(Archive &A);
 
   FunctionalRunner Runner;
   std::vector<FunctionalThread> Threads;
+  /// Instructions that all threads have issued.
+  uint64_t Executed = 0;
 
 private:
+  size_t following(size_t Number) const {
+    return Number + 1 == Threads.size() ? 0 : Number + 1;
+  }
   /// Whether it can go on by itself.
   static bool canRun(const FunctionalThread &T) {
     return T.State == ThreadState::Running && !T.AtMarker;
   }
   void runTurn(FunctionalThread &T);
+  /// Whether the turn was ended before its end.
+  bool isInterrupted() const { return Stops && Stops->hasStopped(); }
+  /// For the next turn.
+  void prepareStops(const FunctionalLimits &Limits);
   /// Lets all threads go on that wait at the barrier.
   void releaseBarrier();
   std::optional<RunResult> ending() const;
@@ -52,8 +66,11 @@ private:
   HostPages LocalStores;
   std::vector<FunctionalSlot> Slots;
   std::unique_ptr<FunctionalCodeGenerator> Generator;
+  std::unique_ptr<InstructionStops> Stops;
   /// Who has the next turn, so that a stop changes nothing.
   size_t Next = 0;
+  /// What it has of its quantum.
+  int64_t Quantum = TurnInstructions;
   /// Turns since a thread could go on the last time.
   size_t Idle = 0;
 };
@@ -107,8 +124,62 @@ void FunctionalMachine::Implementation::setChecks(ExecutionChecks &Checks) {
 void FunctionalMachine::Implementation::runTurn(FunctionalThread &T) {
   FunctionalSlot *S = &Slots[T.NextWord];
   ++S->Begun;
-  T.TurnEnd += TurnInstructions;
-  S->Execute(&T, S, S, TurnInstructions, &Runner);
+  const uint64_t Before = T.TurnEnd;
+  Runner.IssuedByOthers = Executed - Before;
+  if (Stops)
+    Stops->beginTurn(Runner.IssuedByOthers);
+  T.TurnEnd += uint64_t(Quantum);
+  S->Execute(&T, S, S, Quantum, &Runner);
+  Executed += T.TurnEnd - Before;
+  if (isInterrupted()) {
+    Quantum -= int64_t(T.TurnEnd - Before);
+    return;
+  }
+  Quantum = TurnInstructions;
+  Next = following(Next);
+}
+
+InstructionStops &FunctionalMachine::Implementation::stops() {
+  if (!Stops) {
+    Stops = std::make_unique<InstructionStops>(Slots);
+    Runner.Stops = Stops.get();
+  }
+  return *Stops;
+}
+
+void FunctionalMachine::Implementation::prepareStops(
+    const FunctionalLimits &Limits) {
+  const uint64_t End = Limits.PauseBefore.value_or(InstructionStops::Never);
+  // A turn ends at a branch: beyond its quantum it may go through the text.
+  const uint64_t Longest =
+      uint64_t(std::max<int64_t>(Quantum, 0)) + Slots.size();
+  stops().setEnd(End);
+  stops().setSeesAll(End <= Executed || End - Executed <= Longest);
+}
+
+void FunctionalMachine::Implementation::serialize(Archive &A) {
+  for (FunctionalThread &T : Threads) {
+    A(T.Registers);
+    A(T.NextWord);
+    A(T.TurnEnd);
+    A(T.Slept);
+    A(T.Status);
+    A(T.State);
+    A(T.AtMarker);
+  }
+  LocalStores.serialize(A);
+  for (FunctionalSlot &S : Slots) {
+    A(S.Begun);
+    A(S.Ended);
+  }
+  A(Runner.Markers);
+  A(Runner.Arrived);
+  A(Runner.Halted);
+  A(Executed);
+  A(Next);
+  A(Quantum);
+  if (A.isRestoring())
+    Runner.FirstTrap.reset();
 }
 
 void FunctionalMachine::Implementation::releaseBarrier() {
@@ -133,10 +204,7 @@ std::optional<RunResult> FunctionalMachine::Implementation::ending() const {
 }
 
 Progress FunctionalMachine::Implementation::progress() const {
-  Progress Result{0, 0, Runner.Halted};
-  for (const FunctionalThread &T : Threads)
-    Result.Instructions += T.TurnEnd;
-  return Result;
+  return {0, Executed, Runner.Halted};
 }
 
 RunResult
@@ -159,8 +227,8 @@ FunctionalMachine::Implementation::run(const FunctionalLimits &Limits) {
       return RunResult{RunResult::Paused, 0, std::nullopt};
     }
     FunctionalThread &T = Threads[Next];
-    Next = Next + 1 == Threads.size() ? 0 : Next + 1;
     if (!canRun(T)) {
+      Next = following(Next);
       ++Idle;
       continue;
     }
@@ -168,7 +236,11 @@ FunctionalMachine::Implementation::run(const FunctionalLimits &Limits) {
     if (Generator)
       for (auto [Word, Execute] : Generator->update())
         Slots[Word].Execute = Execute;
+    if (Stops || Limits.PauseBefore)
+      prepareStops(Limits);
     runTurn(T);
+    if (isInterrupted())
+      return RunResult{RunResult::Paused, 0, std::nullopt};
     if (Limits.Report && ++Turns % TurnsPerReport == 0 &&
         Clock::now() - LastReport > std::chrono::milliseconds(100)) {
       LastReport = Clock::now();
@@ -233,6 +305,28 @@ void FunctionalMachine::setOutput(OutputFunction Function) {
 void FunctionalMachine::setCodeGenerator(
     std::unique_ptr<FunctionalCodeGenerator> Generator) {
   Machine->setCodeGenerator(std::move(Generator));
+}
+
+void FunctionalMachine::setInstructionObserver(InstructionObserver *Observer,
+                                               const std::vector<bool> &Words) {
+  Machine->stops().setObserver(Observer, Words);
+}
+
+uint64_t FunctionalMachine::executed() const { return Machine->Executed; }
+
+void FunctionalMachine::serialize(Archive &A) { Machine->serialize(A); }
+
+const FunctionalThread &FunctionalMachine::thread(uint32_t Number) const {
+  return Machine->Threads[Number];
+}
+
+void FunctionalMachine::setRegister(uint32_t Number, unsigned Register,
+                                    uint32_t Value) {
+  Machine->Threads[Number].Registers[Register] = Value;
+}
+
+void FunctionalMachine::setNextWord(uint32_t Number, uint32_t Word) {
+  Machine->Threads[Number].NextWord = Word;
 }
 
 void FunctionalMachine::setStepObserver(uint32_t Thread,

@@ -25,12 +25,16 @@ namespace tp {
 
 class ExecutionChecks;
 class FunctionalCodeGenerator;
+class InstructionObserver;
 
 /// How long to run. What is not set limits nothing.
 struct FunctionalLimits {
   /// Each thread stops behind this profile marker; the run pauses when no
   /// thread can go on.
   std::optional<uint32_t> StopMarker;
+  /// Pauses before the first instruction that takes time once all threads
+  /// together have executed so many.
+  std::optional<uint64_t> PauseBefore;
   /// Stops between two turns when this has become true.
   const std::atomic<bool> *Stop = nullptr;
   /// Called about ten times a second.
@@ -67,13 +71,32 @@ public:
   void setStepObserver(uint32_t Thread, StepObserver Function);
 
   /// Runs until all threads have halted, one trapped, or a limit is reached
-  /// (Paused: the marker). A trap's cycle is the number of instructions that
-  /// the thread had issued.
+  /// (Paused: the marker, a number of
+  /// instructions, or the observer). A trap's cycle is the number of
+  /// instructions that the thread had issued.
   RunResult run(const FunctionalLimits &Limits = {});
 
   /// Instructions by opcode, by word of the text and by thread, and markers: no
   /// cycles and no losses.
   Statistics statistics() const;
+
+  /// Shows instructions of these words of the text to \p Observer, which must
+  /// outlive the runs, until it is called again; null: none. Instead of a code
+  /// generator or an observer of steps.
+  void setInstructionObserver(InstructionObserver *Observer,
+                              const std::vector<bool> &Words);
+  /// Instructions that all threads have executed.
+  uint64_t executed() const;
+
+  /// The state between two runs, but global memory. What is restored has not
+  /// trapped.
+  void serialize(Archive &A);
+
+  /// A thread between two runs; its TurnEnd are the instructions that it has
+  /// issued.
+  const FunctionalThread &thread(uint32_t Number) const;
+  void setRegister(uint32_t Number, unsigned Register, uint32_t Value);
+  void setNextWord(uint32_t Number, uint32_t Word);
 
   /// As for Engine.
   uint32_t registerOf(uint32_t Thread, unsigned Register) const;

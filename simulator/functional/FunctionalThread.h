@@ -43,6 +43,7 @@ struct FunctionalThread {
 };
 
 class ExecutionChecks;
+class InstructionStops;
 
 /// What all threads of the functional mode share.
 struct FunctionalContextState {
@@ -51,6 +52,8 @@ struct FunctionalContextState {
   ProfileObserver *Observer = nullptr;
   /// Null: none are made.
   ExecutionChecks *Checks = nullptr;
+  /// Null: turns end by themselves.
+  InstructionStops *Stops = nullptr;
   OutputFunction Output;
   uint32_t StackLimit = 0;
   /// Threads stop behind this marker.
@@ -59,6 +62,8 @@ struct FunctionalContextState {
   uint32_t Arrived = 0;
   uint32_t Halted = 0;
   std::optional<Trap> FirstTrap;
+  /// Instructions that all threads but the one whose turn it is have issued.
+  uint64_t IssuedByOthers = 0;
 };
 
 } // namespace tp

@@ -1,0 +1,100 @@
+//===- EventMatcher.cpp - Whether an instruction is an event --------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "simulator/replay/EventMatcher.h"
+#include "simulator/core/LocalStore.h"
+
+namespace tp {
+
+EventMatcher::EventMatcher(const ChipConfig &Chip, const Program &Text,
+                           const Events &Wanted, Which Kept,
+                           std::optional<EventPlace> After,
+                           std::optional<EventPlace> Before)
+    : Text(Text), Wanted(Wanted), Kept(Kept), After(After), Before(Before),
+      LocalBegin(LocalStoreRange(Chip.LocalStoreBytes).Begin),
+      Words(Text.instructions().size()) {
+  std::span<const Instruction> All = Text.instructions();
+  for (const InstructionEvents &Event : Wanted.Instructions) {
+    std::vector<bool> &Of = WordsOf.emplace_back();
+    if (Event.Pcs.empty())
+      Words.assign(All.size(), true);
+    else
+      Of.resize(All.size());
+    for (uint32_t Pc : Event.Pcs) {
+      size_t Word = (Pc - Text.textBegin()) / 4;
+      // Threads pass over what takes no time.
+      while (Word < All.size() && All[Word].Op != IllegalOpcode &&
+             !takesTime(All[Word].Op))
+        ++Word;
+      if (Word < All.size())
+        Words[Word] = Of[Word] = true;
+    }
+  }
+  if (Wanted.Accesses.empty())
+    return;
+  for (size_t Word = 0; Word != All.size(); ++Word)
+    if (All[Word].Op != IllegalOpcode && accessesMemory(All[Word].Op))
+      Words[Word] = true;
+}
+
+bool EventMatcher::isIn(const AccessEvents &Event, const MemoryAccess &Access,
+                        uint32_t Thread) const {
+  if (!((Event.Reads && Access.Reads) || (Event.Writes && Access.Writes)))
+    return false;
+  if (Event.Thread && *Event.Thread != Thread)
+    return false;
+  if (!Event.Thread && Event.Address >= LocalBegin)
+    return false;
+  return Access.Address < uint64_t(Event.Address) + Event.Bytes &&
+         Event.Address < uint64_t(Access.Address) + Access.Bytes;
+}
+
+template <class Event> static bool matches(const Event &E, const Probe &Place) {
+  return (!E.Thread || *E.Thread == Place.Thread) &&
+         (!E.Wanted || E.Wanted(Place));
+}
+
+std::optional<FoundEvent>
+EventMatcher::findInstruction(const Probe &Place) const {
+  const size_t Word = (Place.Pc - Text.textBegin()) / 4;
+  for (size_t I = 0; I != Wanted.Instructions.size(); ++I)
+    if ((WordsOf[I].empty() || WordsOf[I][Word]) &&
+        matches(Wanted.Instructions[I], Place))
+      return FoundEvent{
+          ReplayStop::Instruction, Place.At, Place.Thread, Place.Pc, I, {}};
+  return std::nullopt;
+}
+
+std::optional<FoundEvent> EventMatcher::findAccess(const Probe &Place) const {
+  if (Wanted.Accesses.empty())
+    return std::nullopt;
+  const size_t Word = (Place.Pc - Text.textBegin()) / 4;
+  std::optional<MemoryAccess> Access =
+      accessOf(Text.instructions()[Word], Place.Registers);
+  if (!Access)
+    return std::nullopt;
+  for (size_t I = 0; I != Wanted.Accesses.size(); ++I)
+    if (isIn(Wanted.Accesses[I], *Access, Place.Thread) &&
+        matches(Wanted.Accesses[I], Place))
+      return FoundEvent{ReplayStop::Access, Place.At, Place.Thread,
+                        Place.Pc,           I,        *Access};
+  return std::nullopt;
+}
+
+std::optional<FoundEvent> EventMatcher::match(const Probe &Place) const {
+  const bool WantsInstruction = isWanted({Place.At, false});
+  const bool WantsAccess = isWanted({Place.At, true});
+  std::optional<FoundEvent> Found;
+  if (WantsInstruction && Kept == First)
+    Found = findInstruction(Place);
+  if (WantsAccess && !Found)
+    Found = findAccess(Place);
+  if (WantsInstruction && Kept == Last && !Found)
+    Found = findInstruction(Place);
+  return Found;
+}
+
+} // namespace tp
