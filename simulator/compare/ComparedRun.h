@@ -46,6 +46,8 @@ struct ComparedRun {
   std::string Path;
   /// False for a functional run: it has issued instructions and nothing else.
   bool HasCycles = true;
+  /// Profiles name files otherwise than statistics do.
+  bool IsProfile = false;
   std::string Outcome;
   std::string Chip;
   uint64_t TmCount = 0;

@@ -69,7 +69,8 @@ Expected<Comparison> compare(const ComparedRun &Before,
   }
   Comparison Runs{Before, After, {Before.Counts, After.Counts}, false, {},
                   {},     {}};
-  Runs.HasPlaces = Before.Lines && After.Lines;
+  Runs.HasPlaces =
+      Before.Lines && After.Lines && Before.IsProfile == After.IsProfile;
   if (Runs.HasPlaces)
     comparePlaces(Runs);
   compareOpcodes(Runs);

@@ -47,7 +47,8 @@ struct Comparison {
   const ComparedRun &Before;
   const ComparedRun &After;
   ComparedCounts Counts;
-  /// Whether both runs have lines; otherwise there are no places.
+  /// Whether both runs have lines that can be compared; otherwise there are no
+  /// places.
   bool HasPlaces = false;
   /// All functions and lines of either run, the largest change first. Waits of
   /// halted threads are at none of them.

@@ -69,7 +69,8 @@ public:
     writePlaces("function", Runs.Functions);
     writePlaces("line", Runs.Lines);
     if (!Runs.HasPlaces)
-      OS << "no lines: both runs need --per-pc with --stats, or --profile\n\n";
+      OS << "no lines: both files must be profiles, or statistics with "
+            "--per-pc\n\n";
     writeOpcodes();
   }
 

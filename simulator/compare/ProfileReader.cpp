@@ -50,6 +50,7 @@ Expected<ComparedRun> readProfileRun(StringRef Text, StringRef Path) {
   if (!Data)
     return Data.takeError();
   ComparedRun Run;
+  Run.IsProfile = true;
   Run.Outcome = Data->Run.Outcome;
   Run.Chip = Data->Run.Chip;
   Run.TmCount = Data->Run.TmCount;

@@ -7,7 +7,7 @@
 // RUN: tpsim --compare %t.json %t.slow.json --compare-output %t.change.json \
 // RUN:   | FileCheck %s
 // CHECK:      before {{.*}}.json: 4x32, 4 TMs x 32 TPs, finished
-// CHECK-NEXT: after {{.*}}.slow.json: 4x32
+// CHECK-NEXT: after {{.*}}.slow.{{(p\.)?}}json: 4x32
 // CHECK:      instructions {{.*}} +
 // CHECK:      thread-cycles before after change
 // CHECK:      issued
@@ -18,7 +18,7 @@
 // CHECK-NEXT: data +
 // CHECK:      (all)
 // CHECK:      by line
-// CHECK-NEXT: {{.*}}compare.cpp:[[@LINE+32]] part(float)
+// CHECK-NEXT: {{.*}}compare.cpp:[[@LINE+40]] part(float)
 // CHECK-NEXT: data +
 // CHECK:      (all)
 // CHECK:      rcp_s 0 {{.*}}1,280 +1,280 new
@@ -27,6 +27,14 @@
 // RUN: %python %S/Inputs/check_comparison.py %t.json %t.slow.json %t.change.json
 // RUN: %python %S/../Simulator/Inputs/check_schema.py \
 // RUN:   %source_dir/docs/comparison.schema.json %t.change.json
+
+// Profiles say the same.
+// RUN: tpsim --chip 4x32 --quiet %t.elf --profile=%t.p.json
+// RUN: tpsim --chip 4x32 --quiet %t.slow.elf --profile=%t.slow.p.json
+// RUN: tpsim --compare %t.p.json %t.slow.p.json | FileCheck %s
+// RUN: tpsim --compare %t.json %t.p.json | FileCheck %s --check-prefix=MIXED
+// MIXED: all {{[0-9,]+}} {{[0-9,]+}} 0
+// MIXED: no lines: both files must be profiles, or statistics with --per-pc
 
 // A run is like itself; JSON on standard output is alone there.
 // RUN: tpsim --compare %t.json %t.json --compare-output=- > %t.same.json
