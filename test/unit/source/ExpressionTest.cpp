@@ -115,6 +115,8 @@ TEST_F(ExpressionTest, ArithmeticIsThatOfTheProgram) {
             {"Small * Small", "9"},
             {"Letter + 1", "114"},
             {"-Byte", "-250"},
+            {"(unsigned short)1 - 2", "-1"},
+            {"Ref.Wide - 654322", "-1"},
             {"B + 1", "4000000001"},
             {"B > 5", "true"},
             {"A < B", "true"},
