@@ -54,11 +54,9 @@ llvm::Error Session::start() {
       Output(Fd != 1, StringRef(Bytes.data(), Bytes.size()));
   };
   std::string Problem;
-  if (isFunctional())
-    return createStringError("--functional cannot be debugged; leave it out to "
-                             "debug with timing");
-  Machine = makeCycleReplay(Chip, Loaded->Text, Loaded->Global,
-                            std::move(Wanted), Problem);
+  auto Make = isFunctional() ? makeFunctionalReplay : makeCycleReplay;
+  Machine =
+      Make(Chip, Loaded->Text, Loaded->Global, std::move(Wanted), Problem);
   if (!Machine)
     return createStringError(Problem);
   Machine->setStopFlag(&StopRequested);
