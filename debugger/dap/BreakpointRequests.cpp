@@ -120,12 +120,12 @@ BreakpointRequests::addData(const BreakpointArgument &Wish) {
 
 /// Whether the client wants the same breakpoint as before.
 static bool isSame(const BreakpointArgument &A, const BreakpointArgument &B) {
-  auto fields = [](const BreakpointArgument &Of) {
+  auto Fields = [](const BreakpointArgument &Of) {
     return std::tie(Of.Line, Of.Name, Of.InstructionReference, Of.Offset,
                     Of.DataId, Of.AccessType, Of.Condition, Of.HitCondition,
                     Of.LogMessage);
   };
-  return fields(A) == fields(B);
+  return Fields(A) == Fields(B);
 }
 
 json::Object BreakpointRequests::replace(const std::string &Set,

@@ -130,7 +130,7 @@ void ExecutionRequests::resume(Direction Towards) {
 }
 
 void ExecutionRequests::move(ActiveRun::Interest By,
-                             std::function<SessionStop()> Action) {
+                             const std::function<SessionStop()> &Action) {
   unsigned ThisMove = ++Moves;
   Target.moved();
   Target.IsRunning = true;

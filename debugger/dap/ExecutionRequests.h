@@ -48,7 +48,7 @@ private:
                 Direction Towards);
   bool isAtEnd() const;
   void resume(Direction Towards);
-  void move(ActiveRun::Interest By, std::function<SessionStop()> Action);
+  void move(ActiveRun::Interest By, const std::function<SessionStop()> &Action);
 };
 
 } // namespace tp::dap
