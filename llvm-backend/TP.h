@@ -22,6 +22,9 @@ FunctionPass *createTPISelDag(TPTargetMachine &TM, CodeGenOptLevel OptLevel);
 /// Creates the pass that tells debuggers of variables behind pointer arguments.
 FunctionPass *createTPArgumentVariablesPass();
 
+/// Creates the pass that tags atomic operations before they are expanded.
+FunctionPass *createTPAtomicTagsPass();
+
 /// Creates the pass that makes the first loads of compare-exchange loops atomic.
 FunctionPass *createTPAtomicLoopsPass();
 
@@ -45,6 +48,7 @@ void registerTPAsmPrinter();
 void initializeTPArgumentVariablesPass(PassRegistry &);
 void initializeTPAsmPrinterPass(PassRegistry &);
 void initializeTPAtomicLoopsPass(PassRegistry &);
+void initializeTPAtomicTagsPass(PassRegistry &);
 void initializeTPBuiltinAttributesLegacyPass(PassRegistry &);
 void initializeTPCheckedObjectsPass(PassRegistry &);
 void initializeTPDAGToDAGISelLegacyPass(PassRegistry &);

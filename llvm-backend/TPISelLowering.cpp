@@ -7,13 +7,13 @@
 #include "llvm-backend/TPISelLowering.h"
 #include "llvm-backend/MCTargetDesc/TPBaseInfo.h"
 #include "llvm-backend/MCTargetDesc/TPMCTargetDesc.h"
+#include "llvm-backend/TPAtomicLoops.h"
 #include "llvm-backend/TPInstrInfo.h"
 #include "llvm-backend/TPMachineFunctionInfo.h"
 #include "llvm-backend/TPSubtarget.h"
 #include "llvm/CodeGen/MachineFrameInfo.h"
 #include "llvm/CodeGen/SelectionDAG.h"
 #include "llvm/IR/Instructions.h"
-#include "llvm/IR/IntrinsicInst.h"
 #include "llvm/IR/Intrinsics.h"
 
 using namespace llvm;
@@ -428,15 +428,8 @@ Instruction *TPTargetLowering::emitTrailingFence(IRBuilderBase &Builder,
 /// Marks accesses to a word that are meant for bytes of it.
 MachineMemOperand::Flags
 TPTargetLowering::getTargetMMOFlags(const Instruction &I) const {
-  const Value *Pointer = nullptr;
-  if (auto *Exchange = dyn_cast<AtomicCmpXchgInst>(&I))
-    Pointer = Exchange->getPointerOperand();
-  else if (auto *Load = dyn_cast<LoadInst>(&I); Load && Load->isAtomic())
-    Pointer = Load->getPointerOperand();
-  const auto *Mask = dyn_cast_or_null<IntrinsicInst>(Pointer);
-  return Mask && Mask->getIntrinsicID() == Intrinsic::ptrmask
-             ? TPII::MOPartOfWord
-             : MachineMemOperand::MONone;
+  return I.isAtomic() && isPartOfWord(I) ? TPII::MOPartOfWord
+                                         : MachineMemOperand::MONone;
 }
 
 TargetLowering::AtomicExpansionKind

@@ -36,6 +36,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
     initializeTPAsmPrinterPass(Registry);
     initializeTPArgumentVariablesPass(Registry);
     initializeTPAtomicLoopsPass(Registry);
+    initializeTPAtomicTagsPass(Registry);
     initializeTPCheckedObjectsPass(Registry);
     initializeTPBuiltinAttributesLegacyPass(Registry);
     initializeTPDAGToDAGISelLegacyPass(Registry);
@@ -149,6 +150,7 @@ public:
     addPass(createTPStrictHalfFloatsPass());
     addPass(createTPArgumentVariablesPass());
     addPass(createTPCheckedObjectsPass());
+    addPass(createTPAtomicTagsPass());
     addPass(createAtomicExpandLegacyPass());
     addPass(createTPAtomicLoopsPass());
     TargetPassConfig::addIRPasses();

@@ -6,7 +6,7 @@
 ; RUN: llvm-readelf -r %t.o | FileCheck %s --check-prefix=RELOCATIONS
 
 ; RELOCATIONS: '.rela.tp_atomics'
-; RELOCATIONS-SAME: contains 8 entries
+; RELOCATIONS-SAME: contains 11 entries
 
 define i32 @relaxed(ptr %p) {
 ; CHECK-LABEL: relaxed:
@@ -72,6 +72,24 @@ define i8 @exchange_byte(ptr %p, i8 %old, i8 %new) {
   %s = extractvalue { i8, i1 } %r, 0
   ret i8 %s
 }
+; An operation on a byte of a word whose place is known, and one that is done by
+; that on the word.
+define i8 @add_aligned_byte(ptr %p, i8 %v) {
+; CHECK-LABEL: add_aligned_byte:
+; CHECK: [[WORD3:.Latomic[0-9]+]]:
+; CHECK-NEXT: lw
+; CHECK: [[BYTE3:.Latomic[0-9]+]]:
+; CHECK-NEXT: atom_cas
+  %r = atomicrmw add ptr %p, i8 %v monotonic, align 4
+  ret i8 %r
+}
+define i8 @or_byte(ptr %p, i8 %v) {
+; CHECK-LABEL: or_byte:
+; CHECK: [[BYTE4:.Latomic[0-9]+]]:
+; CHECK-NEXT: atom_or
+  %r = atomicrmw or ptr %p, i8 %v monotonic
+  ret i8 %r
+}
 
 ; CHECK: .section .tp_atomics,"",@progbits
 ; CHECK-NEXT: .long [[RELAXED]]
@@ -82,3 +100,6 @@ define i8 @exchange_byte(ptr %p, i8 %old, i8 %new) {
 ; CHECK-NEXT: .long [[BYTE]]+2
 ; CHECK-NEXT: .long [[WORD2]]+2
 ; CHECK-NEXT: .long [[BYTE2]]+2
+; CHECK-NEXT: .long [[WORD3]]+2
+; CHECK-NEXT: .long [[BYTE3]]+2
+; CHECK-NEXT: .long [[BYTE4]]+2

@@ -56,10 +56,10 @@ public:
              const Body &Run, bool) {
     if constexpr (Op == Opcode::STREAM_PUSH || Op == Opcode::STREAM_POP)
       Detector.streamOperation(T.Number, Run.rs);
-    if constexpr (Op == Opcode::ATOM_CAS)
-      if (isPartOfWord(Pc) && Run.result() == Run.rdold &&
-          !Space->isLocal(Run.rs)) [[unlikely]]
-        notePartOfWord(T, Pc, Run.rs, Run.rdold ^ Run.rt);
+    if constexpr (Op == Opcode::ATOM_CAS || Op == Opcode::ATOM_AND ||
+                  Op == Opcode::ATOM_OR || Op == Opcode::ATOM_XOR)
+      if (isPartOfWord(Pc) && !Space->isLocal(Run.rs)) [[unlikely]]
+        notePartOfWord(T, Pc, Run.rs, changedBits<Op>(Run));
   }
 
   template <Opcode Op>
@@ -126,6 +126,20 @@ private:
   bool isAtomic(uint32_t Pc) const { return flags(Pc) & Atomic; }
   bool acquires(uint32_t Pc) const { return flags(Pc) & Acquires; }
   bool isPartOfWord(uint32_t Pc) const { return flags(Pc) & PartOfWord; }
+
+  /// The bits of the word that an atomic operation has changed.
+  template <Opcode Op, class Body>
+  static uint32_t changedBits(const Body &Run) {
+    const uint32_t Old = Run.result();
+    if constexpr (Op == Opcode::ATOM_AND)
+      return Old & ~Run.rt;
+    else if constexpr (Op == Opcode::ATOM_OR)
+      return ~Old & Run.rt;
+    else if constexpr (Op == Opcode::ATOM_XOR)
+      return Run.rt;
+    else
+      return Old == Run.rdold ? Old ^ Run.rt : 0;
+  }
 
   AccessSite site(const FunctionalThread &T, uint32_t Pc) {
     return Sites.of({Pc, Stacks[T.Number].context()});

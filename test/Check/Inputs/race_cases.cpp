@@ -48,6 +48,10 @@ static struct {
   std::atomic<uint8_t> Atomic[2];
   uint8_t Plain[2];
 } Mixed;
+static struct {
+  alignas(4) std::atomic<uint8_t> Atomic;
+  uint8_t Plain[3];
+} Aligned;
 /// What is computed is used.
 static std::atomic<int> Result;
 
@@ -164,6 +168,18 @@ static void exchangedBytes(unsigned Id) {
     use(Expected);
 }
 
+static void bitsBesideBytes(unsigned Id) {
+  if (Id == 3) {
+    Aligned.Atomic.fetch_or(6, memory_order_relaxed);
+    Aligned.Atomic.fetch_and(3, memory_order_relaxed);
+    Aligned.Atomic.fetch_xor(7, memory_order_relaxed);
+    Aligned.Atomic.fetch_add(1, memory_order_relaxed);
+  } else {
+    for (int I = 0; I != 10; ++I)
+      ++Aligned.Plain[Id];
+  }
+}
+
 static void wideAtomics(unsigned) {
   Wide.fetch_add(1, memory_order_relaxed);
   use(static_cast<int>(Wide.load(memory_order_relaxed)));
@@ -269,6 +285,13 @@ static void atomicAndPlain(unsigned Id) {
     Counter.fetch_add(1, memory_order_relaxed);
 }
 
+static void bitsAndPlain(unsigned Id) {
+  if (Id == 3)
+    Aligned.Atomic.fetch_or(6, memory_order_relaxed);
+  else if (Id == 2)
+    *reinterpret_cast<uint8_t *>(&Aligned.Atomic) = 1;
+}
+
 static void volatileFlag(unsigned Id) {
   auto *Ready = reinterpret_cast<volatile int *>(&More);
   if (Id == 0) {
@@ -307,6 +330,7 @@ static const Case Cases[] = {
     {"relaxed-counter", relaxedCounter, false},
     {"bytes-beside-atomics", bytesBesideAtomics, false},
     {"exchanged-bytes", exchangedBytes, false},
+    {"bits-beside-bytes", bitsBesideBytes, false},
     {"wide-atomics", wideAtomics, false},
     {"float-atomics", floatAtomics, false},
     {"local-static", localStatic, false},
@@ -321,6 +345,7 @@ static const Case Cases[] = {
     {"relaxed-load", relaxedLoad, true},
     {"after-the-release", afterTheRelease, true},
     {"atomic-and-plain", atomicAndPlain, true},
+    {"bits-and-plain", bitsAndPlain, true},
     {"volatile-flag", volatileFlag, true},
     {"sum-too-early", sumTooEarly, true},
 };
