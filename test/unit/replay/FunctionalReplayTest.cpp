@@ -46,11 +46,13 @@ void addCounts(State &To, const Statistics &Counts) {
     To.Executed.push_back(Pc.Executed);
 }
 
-/// Some programs do not end.
-constexpr uint64_t MostInstructions = 5000;
+/// Some programs do not end; with many instructions, turns end by themselves.
+constexpr uint32_t FewInstructions = 5000;
+constexpr uint32_t ManyInstructions = 100000;
 
 /// A random program, a chip for it, and how it ends.
 struct Subject {
+  uint32_t Most;
   RandomSource Random;
   ChipConfig Chip;
   RandomProgram Source;
@@ -60,13 +62,13 @@ struct Subject {
   uint64_t Instructions = 0;
   RunResult Result;
 
-  explicit Subject(uint64_t Seed)
-      : Random(Seed), Chip(randomChip(Random)),
+  explicit Subject(uint64_t Seed, uint32_t Most = FewInstructions)
+      : Most(Most), Random(Seed), Chip(randomChip(Random)),
         Source(Random,
                Seed % 3 ? ProgramShape::Branching : ProgramShape::StraightLine,
                Chip),
         Text(Source.text()), Local(Chip.LocalStoreBytes) {
-    End = run(MostInstructions, &Result);
+    End = run(Most, &Result);
     for (uint64_t Issued : End.Issued)
       Instructions += Issued;
   }
@@ -109,8 +111,8 @@ struct Replayed {
   explicit Replayed(Subject &S) : S(S), Global(S.Chip.MemoryBytes) {
     S.Source.initialize(Global);
     ReplayOptions Request;
-    Request.MaxCycles = MostInstructions;
-    Request.CheckpointCycles = S.Random.between(1, 300);
+    Request.MaxCycles = S.Most;
+    Request.CheckpointCycles = S.Random.between(S.Most / 500, S.Most / 15);
     // Some runs must do with few.
     if (S.Random.oneIn(3))
       Request.CheckpointBytes = S.Random.between(1, 4) << 16;
@@ -158,7 +160,7 @@ constexpr unsigned MomentsOfEach = 25;
 
 TEST(FunctionalReplay, AnyMomentIsAsForwardExecutionHadIt) {
   for (uint64_t Seed = 1; Seed <= Programs; ++Seed) {
-    Subject S(Seed);
+    Subject S(Seed, ManyInstructions);
     Replayed R(S);
     for (unsigned I = 0; I != MomentsOfEach; ++I) {
       const uint64_t Time = S.Random.below(uint32_t(S.Instructions));
@@ -172,7 +174,7 @@ TEST(FunctionalReplay, AnyMomentIsAsForwardExecutionHadIt) {
 
 TEST(FunctionalReplay, TheEndIsThatOfARunWithoutStops) {
   for (uint64_t Seed = 1; Seed <= Programs; ++Seed) {
-    Subject S(Seed);
+    Subject S(Seed, ManyInstructions);
     Replayed R(S);
     R.Run->goTo({S.Random.below(uint32_t(S.Instructions)), 0});
     const ReplayStop Stop = R.Run->forward({});
