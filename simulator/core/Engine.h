@@ -39,8 +39,8 @@ struct Progress {
   uint32_t HaltedThreads = 0;
 };
 
-/// How a run ended. After the first two run() does nothing more, nor after the
-/// third without a later limit.
+/// How a run ended. After the first three run() does nothing more, until an
+/// earlier state is restored.
 struct RunResult {
   enum EndKind {
     /// All threads halted.
@@ -66,9 +66,10 @@ using ProgressFunction = std::function<void(const Progress &)>;
 
 /// How long to run. What is not set limits nothing.
 struct RunLimits {
-  /// Ends the run after this many cycles since its start; 0: no limit. A run
-  /// that goes on from a limit inside of an arbitration window is not the one
-  /// without that limit: what left the TMs has taken effect earlier.
+  /// Ends the run after this many cycles since its start; 0: no limit. Where
+  /// the limit is inside of an arbitration window, a state that is saved there
+  /// and restored goes on, but not as without the limit: what left the TMs has
+  /// taken effect earlier.
   uint64_t MaxCycles = 0;
   /// Pauses at the first window boundary that is not before this cycle; 0: no
   /// pause.

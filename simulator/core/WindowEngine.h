@@ -579,8 +579,7 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
 template <class Word, bool FlushToZero>
 RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
   using Clock = std::chrono::steady_clock;
-  if (Final && (Final->End != RunResult::CycleLimit ||
-                (Limits.MaxCycles != 0 && Limits.MaxCycles <= WindowEnd)))
+  if (Final)
     return *Final;
   prepareHostThreads();
   for (const std::unique_ptr<Runner> &R : Runners)

@@ -120,6 +120,8 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
     FirstTrap.reset();
     for (std::unique_ptr<Runner> &R : Runners)
       R->FirstTrap.reset();
+    for (std::unique_ptr<Runner> &R : Runners)
+      R->FirstTrap.reset();
   }
   for (InstructionCache &Icache : Icaches)
     A(Icache);

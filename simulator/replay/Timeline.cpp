@@ -249,7 +249,7 @@ void Timeline::change(const std::function<void()> &Function) {
   } else {
     addPoint(/*IsChange=*/true);
   }
-  IsCut = false;
+  restorePoint(Anchor);
 }
 
 uint64_t Timeline::bytes() const {
