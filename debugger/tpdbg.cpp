@@ -10,8 +10,9 @@
 #include "debugger/dap/Server.h"
 #include "simulator/tools/ChipSelection.h"
 
-#include "llvm/Support/Signals.h"
 #include "llvm/Support/WithColor.h"
+
+#include <csignal>
 
 using namespace llvm;
 
@@ -80,7 +81,7 @@ static Expected<int> run(int Argc, char **Argv) {
   for (const std::string &Warning : (*Session)->information().warnings())
     WithColor::warning(errs(), "tpdbg") << Warning << '\n';
   Interrupted = Session->get();
-  sys::SetInterruptFunction([] { Interrupted->interrupt(); });
+  std::signal(SIGINT, [](int) { Interrupted->interrupt(); });
   tp::CommandLine Commands(**Session, outs());
   if (std::optional<int> Status = runStartup(Commands, *Request))
     return *Status;
