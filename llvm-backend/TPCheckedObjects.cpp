@@ -1,4 +1,4 @@
-//===- TPCheckedObjects.cpp - Objects of the stack that are watched -------===//
+//===- TPCheckedObjects.cpp - Objects that checkers know ------------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
@@ -7,7 +7,8 @@
 // With -tp-check-objects, each object of the stack whose address is more than
 // that of loads and stores gets bytes before and behind it that are nobody's,
 // and the code tells who watches the run when its life begins and ends
-// (runtime/include/tp/check.h). Lives do not share memory any more.
+// (runtime/include/tp/check.h). Lives do not share memory any more. Globals
+// get such bytes behind them, and a table says which.
 //
 //===----------------------------------------------------------------------===//
 
@@ -24,6 +25,7 @@
 #include "llvm/Pass.h"
 #include "llvm/Support/CommandLine.h"
 #include "llvm/Transforms/Utils/Local.h"
+#include "llvm/Transforms/Utils/ModuleUtils.h"
 #include "llvm/Transforms/Utils/PromoteMemToReg.h"
 
 using namespace llvm;
@@ -49,6 +51,9 @@ public:
 
 private:
   void watch(AllocaInst &Object);
+  /// Gives the padded global and its bytes as an entry of the table.
+  Constant *pad(GlobalVariable &Global);
+  void padGlobals(Module &M);
   Constant *describe(const AllocaInst &Object, uint64_t Bytes);
   void tell(IRBuilder<> &Builder, CheckMessage Message, Value *What);
   void tellOf(Instruction &Before, CheckMessage Message, Constant *Descriptor,
@@ -160,9 +165,67 @@ void TPCheckedObjects::watch(AllocaInst &Object) {
   Object.eraseFromParent();
 }
 
+/// Whether \p Global is the program's own and may become larger.
+static bool isPadded(const GlobalVariable &Global,
+                     ArrayRef<GlobalValue *> Used) {
+  return !Global.isDeclaration() && !Global.isThreadLocal() &&
+         !Global.hasSection() && !Global.hasComdat() &&
+         !Global.hasPrivateLinkage() && Global.hasExactDefinition() &&
+         !Global.getName().starts_with("llvm.") &&
+         !is_contained(Used, &Global) &&
+         Global.getDataLayout().getTypeAllocSize(Global.getValueType()) != 0;
+}
+
+Constant *TPCheckedObjects::pad(GlobalVariable &Global) {
+  LLVMContext &Context = Global.getContext();
+  const uint64_t Bytes =
+      Global.getDataLayout().getTypeAllocSize(Global.getValueType());
+  Type *Padding =
+      ArrayType::get(Type::getInt8Ty(Context),
+                     alignTo(Bytes, 8) - Bytes + CheckedObject::PaddingBytes);
+  auto *Padded = new GlobalVariable(
+      *Global.getParent(),
+      StructType::get(Context, {Global.getValueType(), Padding}),
+      Global.isConstant(), Global.getLinkage(),
+      ConstantStruct::getAnon(
+          {Global.getInitializer(), Constant::getNullValue(Padding)}),
+      "", &Global);
+  Padded->copyAttributesFrom(&Global);
+  Padded->copyMetadata(&Global, 0);
+  Padded->setAlignment(
+      std::max({Global.getAlign().valueOrOne(),
+                Global.getDataLayout().getPreferredAlign(&Global), Align(8)}));
+  Padded->takeName(&Global);
+  Global.replaceAllUsesWith(Padded);
+  Global.eraseFromParent();
+  return ConstantStruct::getAnon(
+      {Padded, ConstantInt::get(Type::getInt32Ty(Context), Bytes)});
+}
+
+void TPCheckedObjects::padGlobals(Module &M) {
+  SmallVector<GlobalValue *, 8> Used;
+  collectUsedGlobalVariables(M, Used, /*CompilerUsed=*/false);
+  SmallVector<GlobalVariable *> Globals;
+  for (GlobalVariable &Global : M.globals())
+    if (isPadded(Global, Used))
+      Globals.push_back(&Global);
+  SmallVector<Constant *> Entries;
+  for (GlobalVariable *Global : Globals)
+    Entries.push_back(pad(*Global));
+  if (Entries.empty())
+    return;
+  auto *Type = ArrayType::get(Entries.front()->getType(), Entries.size());
+  auto *Table = new GlobalVariable(
+      M, Type, /*isConstant=*/true, GlobalValue::InternalLinkage,
+      ConstantArray::get(Type, Entries), tp::CheckedGlobalsSymbol);
+  // Linkers keep notes.
+  Table->setSection(".note.tp_globals");
+}
+
 bool TPCheckedObjects::runOnModule(Module &M) {
   if (!CheckObjects)
     return false;
+  padGlobals(M);
   SmallVector<AllocaInst *> Objects;
   for (Function &F : M)
     for (Instruction &I : instructions(F))
@@ -170,5 +233,5 @@ bool TPCheckedObjects::runOnModule(Module &M) {
         Objects.push_back(Object);
   for (AllocaInst *Object : Objects)
     watch(*Object);
-  return !Objects.empty();
+  return true;
 }

@@ -7,11 +7,13 @@
 #ifndef TP_SIMULATOR_CHECK_CHECKEDPROGRAM_H
 #define TP_SIMULATOR_CHECK_CHECKEDPROGRAM_H
 
+#include "runtime/include/tp/check.h"
 #include "simulator/check/CallContexts.h"
 #include "simulator/check/MemoryNames.h"
 #include "simulator/check/Report.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace tp {
 
@@ -24,6 +26,8 @@ struct CheckedProgram {
   /// Free memory, which the program's heap gets: [HeapBegin, HeapEnd).
   uint32_t HeapBegin = 0;
   uint32_t HeapEnd = 0;
+  /// The globals that have padding behind them.
+  std::vector<CheckedGlobal> Globals;
   CallContexts Contexts;
 };
 

@@ -34,9 +34,23 @@ void MemoryChecks::start(const AddressSpace &RunSpace, const ChipConfig &Chip,
   }
   if (!IsMapped)
     Error = "the host has no room for what --check knows of each byte";
+  else
+    padGlobals();
   StackBegin = Program.Elf.stackLimit().value_or(Space.LocalBegin);
   if (Program.HeapEnd != 0)
     HeapFrontier = Program.HeapBegin;
+}
+
+void MemoryChecks::padGlobals() {
+  for (const CheckedGlobal &Known : Program.Globals) {
+    const uint32_t Padded =
+        (Known.Bytes + AccessGranule - 1) & ~(AccessGranule - 1);
+    if (!isBlock(Known.Address, Padded))
+      continue;
+    Global->setAccess(Known.Address, Known.Bytes, Access::All);
+    Global->setAccess(Known.Address + Padded, CheckedObject::PaddingBytes,
+                      Access::GlobalPadding);
+  }
 }
 
 //===----------------------------------------------------------------------===//

@@ -138,6 +138,7 @@ private:
                                             const Instruction &Decoded,
                                             const BodyType &Run);
 
+  void padGlobals();
   /// Gives the bytes that the innermost call of the allocator was asked for.
   uint32_t leaveAllocator(FunctionalThread &T);
   void allocated(FunctionalThread &T, uint32_t Pc, uint32_t Address);

@@ -11,11 +11,40 @@
 #include "llvm/Demangle/Demangle.h"
 #include "llvm/Object/ELFObjectFile.h"
 
+#include <cstring>
 #include <iterator>
 
 using namespace llvm;
 
 namespace tp {
+
+/// The bytes of \p Program at [\p Begin, \p Begin + \p Bytes), or nothing.
+static ArrayRef<uint8_t> contentsAt(const ElfProgram &Program, uint64_t Begin,
+                                    uint64_t Bytes) {
+  for (const Segment &S : Program.segments())
+    if (Begin >= S.Address && Begin + Bytes <= S.Address + S.Contents.size())
+      return S.Contents.slice(Begin - S.Address, Bytes);
+  return {};
+}
+
+std::vector<CheckedGlobal> readCheckedGlobals(const ElfProgram &Program) {
+  std::vector<CheckedGlobal> Globals;
+  for (object::SymbolRef Symbol : Program.object().symbols()) {
+    Expected<StringRef> Name = Symbol.getName();
+    Expected<uint64_t> Address = Symbol.getAddress();
+    if (Name && Address && Name->starts_with(CheckedGlobalsSymbol)) {
+      ArrayRef<uint8_t> Table =
+          contentsAt(Program, *Address, object::ELFSymbolRef(Symbol).getSize());
+      const size_t Count = Table.size() / sizeof(CheckedGlobal);
+      Globals.resize(Globals.size() + Count);
+      std::memcpy(Globals.data() + Globals.size() - Count, Table.data(),
+                  Count * sizeof(CheckedGlobal));
+    }
+    consumeError(Name.takeError());
+    consumeError(Address.takeError());
+  }
+  return Globals;
+}
 
 MemoryNames::MemoryNames(const ElfProgram &Program) {
   for (object::SymbolRef Symbol : Program.object().symbols()) {
@@ -29,6 +58,9 @@ MemoryNames::MemoryNames(const ElfProgram &Program) {
     consumeError(Name.takeError());
     consumeError(Address.takeError());
   }
+  for (const CheckedGlobal &Known : readCheckedGlobals(Program))
+    if (auto Padded = Objects.find(Known.Address); Padded != Objects.end())
+      Padded->second.Bytes = Known.Bytes;
 }
 
 void MemoryNames::add(uint32_t Address, uint64_t Bytes, std::string Name) {

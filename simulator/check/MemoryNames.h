@@ -7,14 +7,19 @@
 #ifndef TP_SIMULATOR_CHECK_MEMORYNAMES_H
 #define TP_SIMULATOR_CHECK_MEMORYNAMES_H
 
+#include "runtime/include/tp/check.h"
 #include "simulator/loader/ElfProgram.h"
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tp {
+
+/// What -ftp-check-objects says of the globals of \p Program.
+std::vector<CheckedGlobal> readCheckedGlobals(const ElfProgram &Program);
 
 /// The program's globals and the parts of its launch by address.
 class MemoryNames {

@@ -9,7 +9,6 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/LineIterator.h"
-#include "llvm/Support/MemoryBuffer.h"
 
 using namespace llvm;
 
@@ -22,8 +21,9 @@ Expected<Suppressions> Suppressions::read(StringRef Path) {
     return createStringError("cannot read " + Path + ": " +
                              File.getError().message());
   Suppressions Result;
-  for (line_iterator Line(**File, /*SkipBlanks=*/true, '#'); !Line.is_at_end();
-       ++Line) {
+  Result.Text = std::move(*File);
+  for (line_iterator Line(*Result.Text, /*SkipBlanks=*/true, '#');
+       !Line.is_at_end(); ++Line) {
     if (Line->trim().empty())
       continue;
     auto [Check, Function] = Line->trim().split(':');

@@ -18,7 +18,9 @@
 #include "llvm/ADT/StringRef.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/GlobPattern.h"
+#include "llvm/Support/MemoryBuffer.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,8 @@ private:
     std::string Check;
     llvm::GlobPattern Function;
   };
+  /// The patterns refer to it.
+  std::shared_ptr<llvm::MemoryBuffer> Text;
   std::vector<Rule> Rules;
 };
 

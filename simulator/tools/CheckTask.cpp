@@ -27,7 +27,8 @@ struct CheckTask::Implementation {
                  RunSetup &Loaded, Suppressions Suppressed)
       : Request(Request), Loaded(Loaded), Suppressed(std::move(Suppressed)),
         Names(Loaded.Elf), Found(Loaded.Elf, Chip, this->Suppressed, errs()),
-        Program{Loaded.Elf, Names, Found} {}
+        Program{Loaded.Elf, Names, Found, 0, 0, readCheckedGlobals(Loaded.Elf),
+                {}} {}
 
   const Options &Request;
   RunSetup &Loaded;

@@ -20,6 +20,16 @@
 
 namespace tp {
 
+/// A global with bytes behind it that are nobody's: up to the next multiple of
+/// 8, and PaddingBytes of a CheckedObject. -ftp-check-objects makes arrays of
+/// these, which have the name CheckedGlobalsSymbol.
+struct CheckedGlobal {
+  uint32_t Address;
+  uint32_t Bytes;
+};
+
+inline constexpr char CheckedGlobalsSymbol[] = "__tp_checked_globals";
+
 /// What the runtime's heap does for the checkers. The simulator finds the
 /// symbol HeapCheckSettingsSymbol of a program that uses the heap and fills it
 /// before the start; else it is 0.
