@@ -58,7 +58,8 @@ void Mailbox::readAll() {
                                   toString(Message.takeError()) + "\n");
       break;
     }
-    More = *Message && accept(std::move(**Message));
+    const std::optional<json::Value> &Next = *Message;
+    More = Next.has_value() && accept(*Next);
   }
   {
     std::lock_guard Lock(Mutex);
@@ -69,7 +70,7 @@ void Mailbox::readAll() {
 }
 
 /// Queues the request in \p Message. False after the last one.
-bool Mailbox::accept(json::Value Message) {
+bool Mailbox::accept(const json::Value &Message) {
   Request Next;
   json::Path::Root Root("message");
   if (!fromJSON(Message, Next, Root)) {

@@ -57,7 +57,7 @@ private:
   std::thread Thread;
 
   void readAll();
-  bool accept(llvm::json::Value Message);
+  bool accept(const llvm::json::Value &Message);
   void cancel(const Request &Wish);
 };
 

@@ -71,9 +71,11 @@ private:
   }
 };
 
+} // namespace
+
 /// What can be unfolded of a value; nothing if it has no parts.
-std::shared_ptr<VariableList> partsOf(ScopePointer Scope, const tp::Value &Of,
-                                      StringRef Expression) {
+static std::shared_ptr<VariableList>
+partsOf(const ScopePointer &Scope, const tp::Value &Of, StringRef Expression) {
   if (Of.isOptimizedOut())
     return nullptr;
   const Type &Stripped = Of.type().stripped();
@@ -103,8 +105,6 @@ std::shared_ptr<VariableList> partsOf(ScopePointer Scope, const tp::Value &Of,
                                       ByPointer);
 }
 
-} // namespace
-
 Expected<tp::Value> evaluateIn(const SourceScope &Scope, StringRef Expression,
                                Effects Allowed) {
   Expected<tp::Expression> Parsed =
@@ -117,8 +117,9 @@ Expected<tp::Value> evaluateIn(const SourceScope &Scope, StringRef Expression,
   return Parsed->evaluate(Scope.Frame);
 }
 
-VariableRow sourceRow(ScopePointer Scope, StringRef Name, const tp::Value &Of,
-                      std::string Expression, ValueFormat Format) {
+VariableRow sourceRow(const ScopePointer &Scope, StringRef Name,
+                      const tp::Value &Of, std::string Expression,
+                      ValueFormat Format) {
   VariableRow Row;
   Row.Name = Name.str();
   PrintOptions Options;
@@ -135,7 +136,8 @@ VariableRow sourceRow(ScopePointer Scope, StringRef Name, const tp::Value &Of,
 }
 
 /// The row of a variable, also if it cannot be read.
-static VariableRow variableRow(ScopePointer Scope, const VariableInfo &Variable,
+static VariableRow variableRow(const ScopePointer &Scope,
+                               const VariableInfo &Variable,
                                ValueFormat Format) {
   Expected<tp::Value> Of =
       Scope->Information->variables().value(Variable, Scope->Frame);

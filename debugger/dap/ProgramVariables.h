@@ -28,7 +28,7 @@ llvm::Expected<tp::Value> evaluateIn(const SourceScope &Scope,
                                      Effects Allowed);
 
 /// A value as a row with its parts. \p Expression gives it again.
-VariableRow sourceRow(std::shared_ptr<const SourceScope> Scope,
+VariableRow sourceRow(const std::shared_ptr<const SourceScope> &Scope,
                       llvm::StringRef Name, const tp::Value &Of,
                       std::string Expression, ValueFormat Format);
 

@@ -138,7 +138,7 @@ Response StackRequests::scopes(const ScopesArguments &Arguments) {
   const Variables &Names = Target.Program->information().variables();
   const FrameContext &Frame = (*Scope)->Frame;
   json::Array Scopes;
-  auto add = [&](StringRef Name, StringRef Hint, bool IsExpensive,
+  auto Add = [&](StringRef Name, StringRef Hint, bool IsExpensive,
                  std::shared_ptr<VariableList> List) {
     if (List->count() == 0)
       return;
@@ -150,14 +150,14 @@ Response StackRequests::scopes(const ScopesArguments &Arguments) {
     Each["variablesReference"] = Target.Store.list(std::move(List), *Place);
     Scopes.push_back(std::move(Each));
   };
-  add("Locals", "locals", false,
+  Add("Locals", "locals", false,
       std::make_shared<ScopeVariables>(*Scope, Names.locals(Frame)));
-  add("Arguments", "arguments", false,
+  Add("Arguments", "arguments", false,
       std::make_shared<ScopeVariables>(*Scope, Names.arguments(Frame)));
-  add("Globals", "globals", true,
+  Add("Globals", "globals", true,
       std::make_shared<ScopeVariables>(*Scope, keptGlobals(Names, Frame)));
-  add("Registers", "registers", true, registerVariables(Frame));
-  add("Chip", "", true, chipVariables(*Target.Program, Place->Thread));
+  Add("Registers", "registers", true, registerVariables(Frame));
+  Add("Chip", "", true, chipVariables(*Target.Program, Place->Thread));
   return json::Object{{"scopes", std::move(Scopes)}};
 }
 
@@ -166,7 +166,7 @@ Response StackRequests::exceptionInfo(const ThreadArguments &Arguments) {
   if (!Thread)
     return Thread.takeError();
   const std::optional<SessionStop> &Stop = Target.LastStop;
-  if (!Stop || Stop->Kind != SessionStop::Trapped || Stop->Thread != *Thread)
+  if (!Stop || !Stop->TrapInfo || Stop->Thread != *Thread)
     return createStringError("the thread is not at a trap");
   return json::Object{
       {"exceptionId", "trap"},
