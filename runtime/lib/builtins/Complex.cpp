@@ -18,17 +18,19 @@ template <typename T> struct Parts {
   T Real, Imaginary;
 };
 
-template <typename T> bool isInfinite(Parts<T> Z) {
+} // namespace
+
+template <typename T> static bool isInfinite(Parts<T> Z) {
   return __builtin_isinf(Z.Real) || __builtin_isinf(Z.Imaginary);
 }
 
-template <typename T> bool isFinite(Parts<T> Z) {
+template <typename T> static bool isFinite(Parts<T> Z) {
   return __builtin_isfinite(Z.Real) && __builtin_isfinite(Z.Imaginary);
 }
 
-template <typename T> bool isNaN(T X) { return __builtin_isnan(X); }
+template <typename T> static bool isNaN(T X) { return __builtin_isnan(X); }
 
-template <typename T> T copySign(T X, T Sign) {
+template <typename T> static T copySign(T X, T Sign) {
   if constexpr (sizeof(T) == sizeof(float))
     return __builtin_copysignf(X, Sign);
   else
@@ -36,18 +38,18 @@ template <typename T> T copySign(T X, T Sign) {
 }
 
 /// Infinite parts become ones, the others zeros, with their signs.
-template <typename T> Parts<T> unitOf(Parts<T> Z) {
+template <typename T> static Parts<T> unitOf(Parts<T> Z) {
   return {copySign(T(__builtin_isinf(Z.Real) ? 1 : 0), Z.Real),
           copySign(T(__builtin_isinf(Z.Imaginary) ? 1 : 0), Z.Imaginary)};
 }
 
 /// NaN parts become zeros with their signs.
-template <typename T> Parts<T> withoutNaN(Parts<T> Z) {
+template <typename T> static Parts<T> withoutNaN(Parts<T> Z) {
   return {isNaN(Z.Real) ? copySign(T(0), Z.Real) : Z.Real,
           isNaN(Z.Imaginary) ? copySign(T(0), Z.Imaginary) : Z.Imaginary};
 }
 
-template <typename T> Parts<T> product(Parts<T> A, Parts<T> B) {
+template <typename T> static Parts<T> product(Parts<T> A, Parts<T> B) {
   const T Infinity = __builtin_inf();
   const T RealReal = A.Real * B.Real;
   const T ImaginaryImaginary = A.Imaginary * B.Imaginary;
@@ -80,7 +82,7 @@ template <typename T> Parts<T> product(Parts<T> A, Parts<T> B) {
 
 /// What a quotient that came out as NaN is.
 template <typename T>
-Parts<T> specialQuotient(Parts<T> A, Parts<T> B, Parts<T> Z) {
+static Parts<T> specialQuotient(Parts<T> A, Parts<T> B, Parts<T> Z) {
   const T Infinity = __builtin_inf();
   if (B.Real == 0 && B.Imaginary == 0 &&
       (!isNaN(A.Real) || !isNaN(A.Imaginary)))
@@ -101,7 +103,7 @@ Parts<T> specialQuotient(Parts<T> A, Parts<T> B, Parts<T> Z) {
 
 /// Makes the larger part of \p Z one of [1, 2) by a power of two, whose
 /// exponent it returns. Zeros, infinities and NaN stay.
-int normalize(Parts<double> &Z) {
+static int normalize(Parts<double> &Z) {
   const double Real = __builtin_fabs(Z.Real);
   const double Imaginary = __builtin_fabs(Z.Imaginary);
   const double Largest = Real > Imaginary ? Real : Imaginary;
@@ -113,7 +115,7 @@ int normalize(Parts<double> &Z) {
   return Exponent;
 }
 
-Parts<double> quotient(const Parts<double> A, const Parts<double> B) {
+static Parts<double> quotient(const Parts<double> A, const Parts<double> B) {
   Parts<double> C = A;
   Parts<double> D = B;
   int Exponent = normalize(C);
@@ -127,8 +129,6 @@ Parts<double> quotient(const Parts<double> A, const Parts<double> B) {
     return specialQuotient(A, B, Z);
   return Z;
 }
-
-} // namespace
 
 template <typename Complex, typename T> static Complex complexOf(Parts<T> Z) {
   Complex Result;

@@ -14,9 +14,7 @@
 static_assert(std::numeric_limits<long double>::digits >= 64,
               "the reference needs a wider long double");
 
-namespace {
-
-double ulpError(double Value, long double Exact) {
+static double ulpError(double Value, long double Exact) {
   if (std::isnan(Exact) || std::isnan(Value))
     return std::isnan(Exact) == std::isnan(Value) ? 0 : HUGE_VAL;
   double Nearest = static_cast<double>(Exact);
@@ -30,7 +28,7 @@ double ulpError(double Value, long double Exact) {
 }
 
 /// Arguments of every magnitude, and twice as many between 2^-12 and 2^12.
-template <typename Check> void forArguments(Check CheckOne) {
+template <typename Check> static void forArguments(Check CheckOne) {
   for (double X : tp::test::edgeDoubles())
     CheckOne(X);
   tp::test::RandomDoubles Random;
@@ -46,8 +44,8 @@ template <typename Check> void forArguments(Check CheckOne) {
   }
 }
 
-void expectWithin(const char *Name, double (*Ours)(double),
-                  long double (*Reference)(long double), double Limit) {
+static void expectWithin(const char *Name, double (*Ours)(double),
+                         long double (*Reference)(long double), double Limit) {
   double Worst = 0, WorstX = 0;
   forArguments([&](double X) {
     double Error = ulpError(Ours(X), Reference(X));
@@ -59,6 +57,8 @@ void expectWithin(const char *Name, double (*Ours)(double),
   printf("%-6s %.3f ulp at %a\n", Name, Worst, WorstX);
   EXPECT_LE(Worst, Limit) << Name << std::hexfloat << " " << WorstX;
 }
+
+namespace {
 
 TEST(DoubleMath, Functions) {
   expectWithin("sin", tpSoft_sin, std::sin, 0.85);
