@@ -20,7 +20,8 @@ static constexpr int PointCostFactor = 8;
 Timeline::Timeline(const ChipConfig &Chip, const Program &Text, Memory &Global,
                    ReplayOptions Request)
     : Chip(Chip), Request(std::move(Request)),
-      Machine(Chip, Text, Global, makeMemorySystem(Chip)), History(Global) {
+      Machine(Chip, Text, Global, makeMemorySystem(Chip)), History(Global),
+      Points(History, this->Request.CheckpointBytes) {
   if (!error().empty())
     return;
   Machine.setHostThreads(this->Request.HostThreads);
@@ -35,8 +36,7 @@ Timeline::Timeline(const ChipConfig &Chip, const Program &Text, Memory &Global,
     if (this->Request.Output)
       this->Request.Output(Fd, Bytes);
   });
-  Points.emplace_back().State = EngineSnapshot(Machine, /*IsPacked=*/true);
-  History.open();
+  Points.begin(save(/*IsChange=*/false));
 }
 
 void Timeline::setControl(const std::atomic<bool> *Flag,
@@ -47,33 +47,27 @@ void Timeline::setControl(const std::atomic<bool> *Flag,
 
 uint64_t Timeline::beginFor(uint64_t Cycle) const {
   uint64_t Begin = Cycle / Chip.ArbitrationWindow * Chip.ArbitrationWindow;
-  const Point &Last = Points[pointFor(Cycle)];
-  return std::max(Begin, Last.Cycle);
+  return std::max(Begin, Points.timeOf(Points.lastUpTo(Cycle)));
 }
 
-size_t Timeline::pointFor(uint64_t Cycle) const {
-  size_t Number = Points.size() - 1;
-  while (Points[Number].Cycle > Cycle)
-    --Number;
-  return Number;
+SavedPoint Timeline::save(bool IsChange) {
+  SavedPoint Result;
+  Result.Time = cycle();
+  Result.State = EngineSnapshot(Machine, /*IsPacked=*/true);
+  Result.Written = Written;
+  Result.IsChange = IsChange;
+  return Result;
 }
 
 uint64_t Timeline::pointBefore(uint64_t Cycle) const {
-  for (size_t Number = Points.size(); Number-- != 0;)
-    if (Points[Number].Cycle < Cycle)
-      return Points[Number].Cycle;
-  return 0;
+  return Cycle == 0 ? 0 : Points.timeOf(Points.lastUpTo(Cycle - 1));
 }
 
 void Timeline::restorePoint(size_t Number) {
   dropWindow();
-  History.undo();
-  for (; Anchor > Number; --Anchor)
-    History.swap(Points[Anchor - 1].ToNext);
-  for (; Anchor < Number; ++Anchor)
-    History.swap(Points[Anchor].ToNext);
-  Points[Number].State.restore(Machine);
-  Written = Points[Number].Written;
+  const SavedPoint &Begin = Points.restore(Number);
+  Begin.State.restore(Machine);
+  Written = Begin.Written;
   IsCut = false;
 }
 
@@ -99,13 +93,14 @@ void Timeline::dropWindow() {
 }
 
 void Timeline::restoreFor(uint64_t Begin) {
-  const size_t Number = pointFor(Begin);
-  uint64_t Best = Points[Number].Cycle;
-  const bool WindowServes = Window && Window->Cycle <= Begin &&
-                            Window->Cycle >= Best && Anchor == Number;
+  const size_t Number = Points.lastUpTo(Begin);
+  const bool IsAnchor = Number == Points.anchorNumber();
+  uint64_t Best = Points.timeOf(Number);
+  const bool WindowServes =
+      Window && Window->Cycle <= Begin && Window->Cycle >= Best && IsAnchor;
   if (WindowServes)
     Best = Window->Cycle;
-  if (!IsCut && cycle() <= Begin && cycle() >= Best && Anchor == Number)
+  if (!IsCut && cycle() <= Begin && cycle() >= Best && IsAnchor)
     return;
   if (WindowServes)
     restoreWindow();
@@ -157,7 +152,7 @@ RunResult Timeline::runTo(uint64_t Target) {
     if (Report)
       Report(Now);
     const Clock::duration Since = Clock::now() - LastPoint;
-    PointIsDue = Anchor + 1 == Points.size() && Since > PointInterval &&
+    PointIsDue = !Points.next() && Since > PointInterval &&
                  Since > PointCost * PointCostFactor;
     if (PointIsDue || (UserFlag && *UserFlag))
       StopNow = true;
@@ -168,9 +163,9 @@ RunResult Timeline::runTo(uint64_t Target) {
 }
 
 uint64_t Timeline::nextNewPoint() const {
-  if (Request.CheckpointCycles == 0 || Anchor + 1 != Points.size())
+  if (Request.CheckpointCycles == 0 || Points.next())
     return NeverCycle;
-  const uint64_t Next = Points.back().Cycle + Request.CheckpointCycles;
+  const uint64_t Next = Points.anchor().Time + Request.CheckpointCycles;
   return (Next / Chip.ArbitrationWindow + 1) * Chip.ArbitrationWindow;
 }
 
@@ -179,9 +174,9 @@ RunResult Timeline::advance(uint64_t Target) {
   while (true) {
     if (cycle() == Target)
       return {RunResult::Paused, 0, std::nullopt};
-    const bool HasPoint =
-        Anchor + 1 < Points.size() && Points[Anchor + 1].Cycle <= Target;
-    uint64_t Next = HasPoint ? Points[Anchor + 1].Cycle : Target;
+    const SavedPoint *Known = Points.next();
+    const bool HasPoint = Known && Known->Time <= Target;
+    uint64_t Next = HasPoint ? Known->Time : Target;
     const uint64_t NewPoint = HasPoint ? NeverCycle : nextNewPoint();
     Next = std::min(Next, NewPoint);
     RunResult Result = runTo(Next);
@@ -211,86 +206,39 @@ RunResult Timeline::advance(uint64_t Target) {
 }
 
 void Timeline::joinPoint() {
-  if (Points[Anchor + 1].IsChange)
-    return restorePoint(Anchor + 1);
+  if (Points.next()->IsChange)
+    return restorePoint(Points.anchorNumber() + 1);
   dropWindow();
-  Points[Anchor].ToNext = History.close();
-  History.open();
-  ++Anchor;
+  Points.join();
 }
 
 void Timeline::addPoint(bool IsChange) {
   const Clock::time_point Start = Clock::now();
   dropWindow();
-  Points[Anchor].ToNext = History.close();
-  History.open();
-  Point &New = Points.emplace_back();
-  New.Cycle = cycle();
-  New.State = EngineSnapshot(Machine, /*IsPacked=*/true);
-  New.Written = Written;
-  New.IsChange = IsChange;
-  ++Anchor;
-  thin();
+  Points.add(save(IsChange));
   LastPoint = Clock::now();
   PointCost = LastPoint - Start;
 }
 
 void Timeline::change(const std::function<void()> &Function) {
-  // What was known of later moments is not so any more.
-  Points.resize(Anchor + 1);
+  Points.forgetLater();
   Function();
   Shown = Written;
-  Point &Here = Points[Anchor];
-  if (Here.IsChange && Here.Cycle == cycle()) {
+  const SavedPoint &Here = Points.anchor();
+  if (Here.IsChange && Here.Time == cycle()) {
     dropWindow();
-    Points[Anchor - 1].ToNext.add(History.close());
-    History.open();
-    Here.State = EngineSnapshot(Machine, /*IsPacked=*/true);
+    Points.replaceAnchor(save(/*IsChange=*/true));
   } else {
     addPoint(/*IsChange=*/true);
   }
-  restorePoint(Anchor);
-}
-
-uint64_t Timeline::bytes() const {
-  uint64_t Sum = History.bytes() + (Window ? Window->State.bytes() : 0);
-  for (const Point &P : Points)
-    Sum += P.State.bytes() + P.ToNext.bytes();
-  return Sum;
-}
-
-void Timeline::thin() {
-  while (bytes() > Request.CheckpointBytes) {
-    // Near the moment points may lie close together, far from it not.
-    size_t Worst = 0;
-    double LeastGap = 0;
-    const auto Now = double(cycle());
-    for (size_t I = 1; I + 1 < Points.size(); ++I) {
-      if (I == Anchor || Points[I].IsChange)
-        continue;
-      const auto Before = double(Points[I - 1].Cycle);
-      const auto Behind = double(Points[I + 1].Cycle);
-      const double Gap = (Behind - Before) / (std::abs(Now - Before) + 1);
-      if (Worst == 0 || Gap < LeastGap) {
-        Worst = I;
-        LeastGap = Gap;
-      }
-    }
-    if (Worst == 0)
-      return;
-    MemoryLayer &First = Points[Worst - 1].ToNext;
-    MemoryLayer &Second = Points[Worst].ToNext;
-    if (Worst > Anchor)
-      std::swap(First, Second);
-    First.add(std::move(Second));
-    Points.erase(Points.begin() + ptrdiff_t(Worst));
-    if (Worst < Anchor)
-      --Anchor;
-  }
+  restorePoint(Points.anchorNumber());
 }
 
 CheckpointUse Timeline::use() const {
-  return {Points.size(), bytes(), Request.CheckpointBytes};
+  CheckpointUse Result = Points.use();
+  if (Window)
+    Result.Bytes += Window->State.bytes();
+  return Result;
 }
 
 } // namespace tp

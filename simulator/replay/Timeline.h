@@ -10,10 +10,6 @@
 // beginning, which is kept, and a run from there that is cut off. Whoever goes
 // on begins again at the window's beginning.
 //
-// Points are saved states along the run. Between each two of them lies a layer
-// of the pages of global memory that have changed: with the contents of its
-// beginning if the engine is behind it, else with those of its end.
-//
 // If the user changes something, the run goes on from where it was cut off: at
 // a point that stays.
 //
@@ -26,6 +22,7 @@
 #include "simulator/replay/EventCollector.h"
 #include "simulator/replay/GlobalHistory.h"
 #include "simulator/replay/Replay.h"
+#include "simulator/replay/SavedPoints.h"
 
 #include <atomic>
 #include <chrono>
@@ -33,7 +30,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace tp {
 
@@ -72,16 +68,6 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  struct Point {
-    uint64_t Cycle = 0;
-    EngineSnapshot State;
-    /// Bytes that the program had written.
-    uint64_t Written = 0;
-    /// The user has changed something here.
-    bool IsChange = false;
-    /// To the next point.
-    MemoryLayer ToNext;
-  };
   /// The beginning of the window that the engine is in, above the last point.
   struct WindowBegin {
     uint64_t Cycle = 0;
@@ -94,8 +80,6 @@ private:
   }
   /// Where a run to the cycle must begin.
   uint64_t beginFor(uint64_t Cycle) const;
-  /// The last point that is not behind the cycle.
-  size_t pointFor(uint64_t Cycle) const;
   /// Goes to the last saved state that is not behind \p Begin, or stays.
   void restoreFor(uint64_t Begin);
   void restorePoint(size_t Number);
@@ -110,16 +94,13 @@ private:
   /// The engine has come to the next point.
   void joinPoint();
   void addPoint(bool IsChange);
-  void thin();
-  uint64_t bytes() const;
+  SavedPoint save(bool IsChange);
 
   const ChipConfig &Chip;
   const ReplayOptions Request;
   Engine Machine;
   GlobalHistory History;
-  std::vector<Point> Points;
-  /// The point that the open layers begin at.
-  size_t Anchor = 0;
+  SavedPoints Points;
   std::optional<WindowBegin> Window;
   /// The engine cannot go on.
   bool IsCut = false;
