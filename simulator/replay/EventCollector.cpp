@@ -18,13 +18,6 @@ uint32_t orderOf(const ChipConfig &Chip, uint64_t Cycle, uint32_t Thread) {
   return uint32_t(orderKey(0, Priority, Tm));
 }
 
-EventCollector::EventCollector(const ChipConfig &Chip, const Program &Text,
-                               const Events &Wanted, Which Kept,
-                               std::optional<EventPlace> After,
-                               std::optional<EventPlace> Before)
-    : Chip(Chip), Text(Text), Matcher(Chip, Text, Wanted, Kept, After, Before),
-      Tentative(Chip.threadCount()) {}
-
 void EventCollector::issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
                              const TmRunnerState &Runner) {
   const std::lock_guard Guard(Lock);

@@ -26,14 +26,11 @@ uint32_t orderOf(const ChipConfig &Chip, uint64_t Cycle, uint32_t Thread);
 /// Finds the first event behind a moment, or the last one before another.
 class EventCollector final : public IssueObserver {
 public:
-  using Which = EventMatcher::Which;
-  using enum EventMatcher::Which;
-
-  /// Events behind \p After and before \p Before. Everything must outlive it.
+  /// Everything must outlive it.
   EventCollector(const ChipConfig &Chip, const Program &Text,
-                 const Events &Wanted, Which Kept,
-                 std::optional<EventPlace> After,
-                 std::optional<EventPlace> Before);
+                 const EventMatcher &Matcher)
+      : Chip(Chip), Text(Text), Matcher(Matcher),
+        Tentative(Chip.threadCount()) {}
 
   /// Which words of the text it must see.
   const std::vector<bool> &words() const { return Matcher.words(); }
@@ -52,7 +49,7 @@ private:
 
   const ChipConfig &Chip;
   const Program &Text;
-  const EventMatcher Matcher;
+  const EventMatcher &Matcher;
   std::mutex Lock;
   /// Of each thread, what its last issue was, if an event.
   std::vector<std::optional<FoundEvent>> Tentative;

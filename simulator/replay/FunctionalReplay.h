@@ -7,67 +7,45 @@
 #ifndef TP_SIMULATOR_REPLAY_FUNCTIONALREPLAY_H
 #define TP_SIMULATOR_REPLAY_FUNCTIONALREPLAY_H
 
-#include "simulator/core/AddressSpace.h"
 #include "simulator/replay/FunctionalTimeline.h"
-#include "simulator/replay/Replay.h"
+#include "simulator/replay/ReplayMoves.h"
 
 namespace tp {
 
 /// See Replay.h and makeFunctionalReplay().
-class FunctionalReplay final : public Replay {
+class FunctionalReplay final : public ReplayMoves {
 public:
   FunctionalReplay(const ChipConfig &Chip, const Program &Text, Memory &Global,
                    ReplayOptions Request);
 
   const std::string &error() const { return Time.error(); }
 
-  Moment now() const override { return Now; }
-  uint32_t threadCount() const override { return Chip.threadCount(); }
   ReplayThread thread(uint32_t Number) const override;
-  bool read(uint32_t Number, uint32_t Address,
-            std::span<uint8_t> Bytes) const override;
-
-  ReplayStop forward(const Events &Wanted) override;
-  ReplayStop backward(const Events &Wanted) override;
-  ReplayStop goTo(Moment Target) override;
-
-  bool write(uint32_t Number, uint32_t Address,
-             std::span<const uint8_t> Bytes) override;
   void setRegister(uint32_t Number, unsigned Register, uint32_t Value) override;
-  bool setPc(uint32_t Number, uint32_t Pc) override;
-
-  LastWrite lastWrite(uint32_t Number, uint32_t Address,
-                      uint32_t Bytes) override;
-
   Statistics statistics() const override { return Time.machine().statistics(); }
   CheckpointUse checkpoints() const override { return Time.use(); }
 
 private:
-  uint8_t *host(uint32_t Number, uint32_t Address, uint64_t Bytes) const {
-    return hostBytes(Space, Time.machine().thread(Number).LocalStoreBias,
-                     Address, Bytes);
+  SearchResult search(const EventMatcher &Matcher, uint64_t From,
+                      uint64_t Limit) override;
+  std::optional<ReplayStop> moveTo(Moment Target) override;
+  ReplayStop endOf(const RunResult &Result) override;
+  uint64_t pointBefore(uint64_t At) const override {
+    return Time.pointBefore(At);
   }
-  /// The stop at the end of a run that came to no event.
-  ReplayStop endOf(const RunResult &Result);
-  /// Goes there, or to where the run ends before.
-  std::optional<ReplayStop> moveTo(uint64_t Target);
-  /// The stop for an event; nothing if it turns out not to be wanted.
-  std::optional<ReplayStop> stopAt(const FoundEvent &Found,
-                                   const Events &Wanted, bool IsForward);
-  std::vector<uint8_t> watchedBytes(const AccessEvents &Event) const;
-  /// The last event before \p Before; WasStopped: the user did not wait.
-  std::optional<FoundEvent> findLast(const Events &Wanted, EventPlace Before,
-                                     bool &WasStopped);
-  /// That stands in the history, if it knows.
-  std::optional<LastWrite> knownWrite(uint32_t Address, uint32_t Bytes);
+  Moment momentOf(uint64_t At, uint32_t) const override { return {At, 0}; }
+  uintptr_t localStoreBias(uint32_t Number) const override {
+    return Time.machine().thread(Number).LocalStoreBias;
+  }
+  GlobalHistory &history() override { return Time.history(); }
+  void change(const std::function<void()> &Function) override {
+    Time.change(Function);
+  }
+  void setNextWord(uint32_t Number, uint32_t Word) override {
+    Time.machine().setNextWord(Number, Word);
+  }
 
-  const ChipConfig Chip;
-  const Program &Text;
-  const AddressSpace Space;
   FunctionalTimeline Time;
-  Moment Now;
-  /// Events up to this one have been seen.
-  EventPlace Seen;
 };
 
 } // namespace tp
