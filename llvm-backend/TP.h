@@ -25,7 +25,8 @@ FunctionPass *createTPArgumentVariablesPass();
 /// Creates the pass that tags atomic operations before they are expanded.
 FunctionPass *createTPAtomicTagsPass();
 
-/// Creates the pass that makes the first loads of compare-exchange loops atomic.
+/// Creates the pass that makes the first loads of compare-exchange loops
+/// atomic.
 FunctionPass *createTPAtomicLoopsPass();
 
 /// Creates the pass that gives the declarations of the TP builtins the

@@ -88,8 +88,11 @@ bool TPAtomicTags::runOnFunction(Function &F) {
       Changes = Exchange->getNewValOperand()->getType();
     if (!Changes)
       continue;
-    const bool IsPart =
-        Layout.getTypeStoreSize(const_cast<Type *>(Changes)) < WordBytes;
+    const TypeSize Bytes = Layout.getTypeStoreSize(const_cast<Type *>(Changes));
+    // What is wider becomes calls, whose loads are not of the object.
+    if (Bytes > WordBytes)
+      continue;
+    const bool IsPart = Bytes < WordBytes;
     I.setMetadata(LLVMContext::MD_mmra,
                   MMRAMetadata::getTagMD(F.getContext(), TagPrefix,
                                          IsPart ? PartOfWordTag : WordTag));

@@ -21,7 +21,6 @@ inline constexpr MachineMemOperand::Flags MOPartOfWord =
     MachineMemOperand::MOTargetFlag1;
 } // namespace TPII
 
-
 class TPSubtarget;
 
 /// What generic code asks about instructions: copies, spills, branches, memory
