@@ -8,6 +8,7 @@
 #include "llvm-backend/MCTargetDesc/TPELF.h"
 #include "llvm-backend/TPInstrInfo.h"
 #include "llvm/BinaryFormat/ELF.h"
+#include "llvm/CodeGen/MachineFunction.h"
 #include "llvm/CodeGen/MachineInstr.h"
 #include "llvm/CodeGen/MachineMemOperand.h"
 #include "llvm/MC/MCContext.h"
@@ -19,7 +20,8 @@
 using namespace llvm;
 
 void TPAtomicAccesses::add(const MachineInstr &MI, MCStreamer &Streamer) {
-  if (MI.isInlineAsm())
+  // Outlined code has none, and no memory operands that are its own.
+  if (MI.isInlineAsm() || MI.getMF()->isOutlined())
     return;
   bool IsAtomic = false;
   uint32_t Flags = 0;

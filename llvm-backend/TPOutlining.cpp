@@ -36,6 +36,11 @@ TPInstrInfo::getOutliningTypeImpl(const MachineModuleInfo &,
       MI.isTerminator() || MI.modifiesRegister(TP::R29, &RI) ||
       MI.readsRegister(TP::R31, &RI) || MI.modifiesRegister(TP::R31, &RI))
     return outliner::InstrType::Illegal;
+  // Whoever looks for data races must find them.
+  if (any_of(MI.memoperands(), [](const MachineMemOperand *Operand) {
+        return Operand->isAtomic();
+      }))
+    return outliner::InstrType::Illegal;
   return outliner::InstrType::Legal;
 }
 

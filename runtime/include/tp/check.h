@@ -86,7 +86,7 @@ TP_CHECK_MESSAGE void tellChecker([[maybe_unused]] uint32_t Value) {
 #ifdef __tp__
   __asm__ volatile("profv %0, %1"
                    :
-                   : "K"(uint32_t(Message)), "r"(Value)
+                   : "i"(uint32_t(Message)), "r"(Value)
                    : "memory");
 #endif
 }

@@ -218,6 +218,7 @@ TEST_F(CheckedFunctions, HaveWholeEntries) {
 
 TEST_F(CheckedFunctions, AtomicAccessesAreListedWithTheirFlags) {
   std::strcpy(&Checked.Names[Checked.Sections[1].sh_name], ".tp_atomics");
+  Checked.Sections[1].sh_size = 3 * sizeof(uint32_t);
   Checked.List[0] = 0x10004 + 1;
   Checked.List[1] = 0x10008 + 2;
   llvm::Expected<ElfProgram> Program = loadChecked();

@@ -196,6 +196,10 @@ TEST(CycleReplay, EveryIssueOfAnInstructionStopsOnce) {
       EXPECT_EQ(Stop.At, Stops[I].At);
       EXPECT_EQ(Stop.Thread, Stops[I].Thread);
       EXPECT_EQ(R.Run->thread(Stop.Thread).Pc, Stop.Pc);
+      if (I % 8 == 0)
+        EXPECT_TRUE(stateOf(*R.Run, S, R.Global) ==
+                    stateByEngine(S, Stop.At.Time))
+            << "seed " << Seed;
     }
   }
 }
