@@ -41,9 +41,10 @@ public:
     StoreBufferFull,
   };
 
-  ExecutionContext(Thread &T, TmRunnerState &Runner, uint32_t Pc,
+  ExecutionContext(Thread &T, TmRunnerState &Runner, uint32_t Word,
                    uint64_t Cycle, uint8_t Destination, ReadyWord Result)
-      : T(T), Runner(Runner), Pc(Pc), Cycle(Cycle), Destination(Destination),
+      : T(T), Runner(Runner), Word(Word), Cycle(Cycle),
+        Destination(Destination),
         ResultReady(ReadyWord(Cycle << ready::CycleShift) + Result) {}
 
   Outcome outcome() const { return Kind; }
@@ -65,7 +66,7 @@ public:
     Address = DataAddress;
   }
 
-  void branch(int32_t Offset) { jump(Pc + uint32_t(Offset)); }
+  void branch(int32_t Offset) { jump(pc() + uint32_t(Offset)); }
   void jump(uint32_t NewTarget) {
     uint32_t Offset = NewTarget - Runner.Chip.TextBegin;
     if (Offset % 4 != 0 || Offset / 4 >= Runner.Chip.TextWords) [[unlikely]]
@@ -73,7 +74,7 @@ public:
     Kind = Outcome::Branch;
     TargetWord = Offset / 4;
   }
-  uint32_t link() const { return Pc + 4; }
+  uint32_t link() const { return pc() + 4; }
   void keepDestination() { KeepsDestination = true; }
 
   template <class T> [[gnu::always_inline]] T load(uint32_t At) {
@@ -97,11 +98,10 @@ public:
       }
       std::memcpy(&Value, &Bits, sizeof(T));
     }
-    ++Runner.GlobalAt[word()];
-    ResultReady = Runner.Memory
-                      ? Runner.requestLoad(this->T, word(), Destination, Op,
-                                           Cycle, At, sizeof(T))
-                      : readyAfter(Runner.Chip.MemoryLatency, true);
+    ++Runner.GlobalAt[Word];
+    ResultReady = Runner.Memory ? Runner.requestLoad(this->T, Word, Destination,
+                                                     Op, Cycle, At, sizeof(T))
+                                : readyAfter(Runner.Chip.MemoryLatency, true);
     return Value;
   }
 
@@ -114,12 +114,12 @@ public:
     }
     if (!Runner.Chip.isWritable(At)) [[unlikely]]
       return trap(Runner.Chip.badStore(At), At);
-    if (Runner.Memory && !Runner.requestStore(this->T, word(), Cycle, At,
+    if (Runner.Memory && !Runner.requestStore(this->T, Word, Cycle, At,
                                               sizeof(T))) [[unlikely]] {
       Kind = Outcome::StoreBufferFull;
       return;
     }
-    ++Runner.GlobalAt[word()];
+    ++Runner.GlobalAt[Word];
     GlobalAccess &Access = log(GlobalAccess::Store, At, Value);
     Access.Bytes = sizeof(T);
     Runner.OwnWords |= Runner.wordBit(At);
@@ -187,7 +187,7 @@ public:
   void barrier() {
     T.State = ThreadState::AtBarrier;
     T.EndCycle = now() + 1;
-    T.LastWord = word();
+    T.LastWord = Word;
     ++Runner.Arrived;
     leaveUntil(NeverCycle);
   }
@@ -216,7 +216,7 @@ public:
 private:
   uint64_t now() const { return Runner.Epoch + Cycle; }
   /// The instruction's number in the text.
-  uint32_t word() const { return (Pc - Runner.Chip.TextBegin) / 4; }
+  uint32_t pc() const { return Runner.Chip.TextBegin + Word * 4; }
 
   ReadyWord readyAfter(uint32_t Latency, bool FromGlobal) const {
     return ReadyWord(Cycle << ready::CycleShift) +
@@ -241,9 +241,9 @@ private:
   }
 
   void deferToMemory(uint32_t At) {
-    ++Runner.GlobalAt[word()];
+    ++Runner.GlobalAt[Word];
     defer(Runner.Memory
-              ? Runner.requestAtomic(T, word(), Destination, Op, Cycle, At)
+              ? Runner.requestAtomic(T, Word, Destination, Op, Cycle, At)
               : readyAfter(Runner.Chip.MemoryLatency, true));
   }
 
@@ -254,7 +254,7 @@ private:
     Access.Owner = &T;
     Access.Address = At;
     Access.Value = Value;
-    Access.Pc = Pc;
+    Access.Pc = pc();
     Access.Ready = ResultReady;
     Access.Kind = AccessKind;
     Access.Destination = Destination;
@@ -262,7 +262,7 @@ private:
   }
 
   void charge(Loss Reason, uint64_t Cycles) {
-    Runner.charge(T, word(), Reason, Cycles);
+    Runner.charge(T, Word, Reason, Cycles);
   }
 
   void leaveUntil(uint64_t NextCycle) {
@@ -272,7 +272,8 @@ private:
 
   Thread &T;
   TmRunnerState &Runner;
-  const uint32_t Pc;
+  /// Of the text.
+  const uint32_t Word;
   const uint64_t Cycle;
   const uint8_t Destination;
   ReadyWord ResultReady;

@@ -88,7 +88,7 @@ private:
 
     uint8_t Destination = S->Instruction.Destination;
     Instruction Run(S->Instruction, T->Registers.data());
-    Context C(*T, *R, pcOf(S, R), Cycle, Destination, S->Result);
+    Context C(*T, *R, wordOf(S, R), Cycle, Destination, S->Result);
     if constexpr (IsObserved)
       announceIssue(T, S, Cycle, R);
     // Where most of the time goes; observed instructions need not be as fast.
@@ -177,7 +177,7 @@ private:
         isUnknownBefore(Latest)) [[unlikely]]
       TP_TAIL_CALL waitForData(TP_HANDLER_ARGUMENTS);
     Instruction Run(S->Instruction, T->Registers.data());
-    ExecutionContext<Op, Mode> C(*T, *R, pcOf(S, R), Cycle,
+    ExecutionContext<Op, Mode> C(*T, *R, wordOf(S, R), Cycle,
                                  S->Instruction.Destination, S->Result);
     Run.run(C);
     ++S;

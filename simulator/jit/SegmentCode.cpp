@@ -327,7 +327,7 @@ llvm::Value *SegmentBuilder::callStep() {
   SmallVector<llvm::Value *> Arguments = {Thread,
                                           Runner,
                                           B.CreateAdd(Cycle, B.getInt64(Now)),
-                                          B.getInt32(pc()),
+                                          B.getInt32(Word),
                                           B.getInt32(Decoded->Immediate),
                                           B.getInt8(Decoded->SecondImmediate),
                                           B.getInt8(Decoded->Destination),

@@ -17,7 +17,7 @@ namespace {
 
 /// The operands of a step: those of the text are constants of generated code.
 struct StepOperands {
-  uint32_t Pc;
+  uint32_t Word;
   Instruction Decoded;
   ReadyWord Result;
   uint32_t Sources[3];
@@ -31,7 +31,7 @@ step(Thread *T, TmRunnerState *Runner, uint64_t Cycle,
   static_assert(unsigned(Context::Outcome::Next) == StepNext &&
                 unsigned(Context::Outcome::Branch) == StepBranch);
   Body<Op> Run(Operands.Decoded, Operands.Sources);
-  Context C(*T, *Runner, Operands.Pc, Cycle, Operands.Decoded.Destination,
+  Context C(*T, *Runner, Operands.Word, Cycle, Operands.Decoded.Destination,
             Operands.Result);
   Run.run(C);
   Result->Value = Run.result();
@@ -44,13 +44,13 @@ step(Thread *T, TmRunnerState *Runner, uint64_t Cycle,
 
 #define TP_STEP(NAME, MODE)                                                    \
   extern "C" [[gnu::always_inline]] void tp##MODE##NAME(                       \
-      Thread *T, TmRunnerState *Runner, uint64_t Cycle, uint32_t Pc,           \
+      Thread *T, TmRunnerState *Runner, uint64_t Cycle, uint32_t Word,         \
       int32_t Immediate, uint8_t SecondImmediate, uint8_t Destination,         \
       ReadyWord Ready, uint32_t First, uint32_t Second, uint32_t Third,        \
       StepResult *Result) {                                                    \
     step<Opcode::NAME, Subnormals::MODE>(                                      \
         T, Runner, Cycle,                                                      \
-        {Pc,                                                                   \
+        {Word,                                                                 \
          {Immediate, Opcode::NAME, Destination, {0, 1, 2}, SecondImmediate},   \
          Ready,                                                                \
          {First, Second, Third}},                                              \
