@@ -11,10 +11,6 @@
 
 namespace tp {
 
-/// As in Timeline.cpp.
-static constexpr std::chrono::milliseconds PointInterval{300};
-static constexpr int PointCostFactor = 8;
-
 FunctionalTimeline::FunctionalTimeline(const ChipConfig &Chip,
                                        const Program &Text, Memory &Global,
                                        ReplayOptions Options)

@@ -12,11 +12,6 @@
 
 namespace tp {
 
-/// How long a state far from any point takes to come back to, at most; and what
-/// part of the time points may cost.
-static constexpr std::chrono::milliseconds PointInterval{300};
-static constexpr int PointCostFactor = 8;
-
 Timeline::Timeline(const ChipConfig &Chip, const Program &Text, Memory &Global,
                    ReplayOptions Request)
     : Chip(Chip), Request(std::move(Request)),
