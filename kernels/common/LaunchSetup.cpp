@@ -67,16 +67,19 @@ ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,
                  std::to_string(kMaxWorkspaceTriangles) +
                  " triangles; the scene has " +
                  std::to_string(Source.Triangles.size())};
-  const std::vector<uint8_t> Block = flattenScene(Source, Options.Bvh);
+  const uint32_t Padding = Options.PaddingBytes;
+  const std::vector<uint8_t> Block = flattenScene(Source, Options.Bvh, Padding);
   const size_t PixelBytes =
       size_t(Options.Width) * Options.Height * sizeof(uint32_t);
   LaunchBlock Launch{};
   Launch.Version = kLaunchBlockVersion;
   Launch.Scene = Memory.allocate(Block.size(), kSceneAlignment);
-  Launch.Framebuffer = Memory.allocate(PixelBytes, sizeof(uint32_t));
-  Launch.RayCounts =
-      Memory.allocate(ThreadCount * sizeof(uint32_t), sizeof(uint32_t));
-  Launch.WorkCounter = Memory.allocate(sizeof(uint32_t), sizeof(uint32_t));
+  auto allocate = [&](size_t Bytes) {
+    return Memory.allocate(Bytes + Padding, sizeof(uint32_t));
+  };
+  Launch.Framebuffer = allocate(PixelBytes);
+  Launch.RayCounts = allocate(ThreadCount * sizeof(uint32_t));
+  Launch.WorkCounter = allocate(sizeof(uint32_t));
   if (!Launch.Scene || !Launch.Framebuffer || !Launch.RayCounts ||
       !Launch.WorkCounter)
     return Error{"the scene (" + std::to_string(Block.size()) +

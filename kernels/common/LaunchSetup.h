@@ -50,6 +50,9 @@ struct RenderOptions {
   uint32_t MaxDepth = 1;
   uint32_t Seed = 1;
   BvhOrigin Bvh = BvhOrigin::Host;
+  /// Unused bytes behind each array of the scene and each other thing that the
+  /// kernel gets.
+  uint32_t PaddingBytes = 0;
 };
 
 inline constexpr uint32_t kMaxImageSide = 16384;

@@ -28,7 +28,9 @@ constexpr size_t kExpectedRest = 1 << 16;
 /// Collects arrays behind a header, each at an aligned offset.
 class BlockWriter {
 public:
-  BlockWriter() : Bytes(sizeof(SceneHeader)) {}
+  /// \p PaddingBytes follow each array.
+  explicit BlockWriter(uint32_t PaddingBytes)
+      : PaddingBytes(PaddingBytes), Bytes(sizeof(SceneHeader)) {}
 
   /// Avoids copies until so many bytes are appended.
   void expect(size_t ByteCount) { Bytes.reserve(Bytes.size() + ByteCount); }
@@ -57,7 +59,7 @@ public:
   template <typename T> uint32_t appendZeros(size_t Count) {
     const size_t Offset = (Bytes.size() + kSceneAlignment - 1) /
                           kSceneAlignment * kSceneAlignment;
-    const size_t Size = Count * sizeof(T);
+    const size_t Size = Count * sizeof(T) + PaddingBytes;
     assert(Offset + Size <= UINT32_MAX && "the loader bounds scenes");
     Bytes.resize(Offset + Size);
     return uint32_t(Offset);
@@ -70,6 +72,7 @@ public:
   }
 
 private:
+  const uint32_t PaddingBytes;
   std::vector<uint8_t> Bytes;
 };
 
@@ -204,7 +207,8 @@ static void appendWorkspace(const Scene &Source,
   Header.WorkspaceOffset = Block.append(std::vector<BvhWorkspace>{Workspace});
 }
 
-std::vector<uint8_t> flattenScene(const Scene &Source, BvhOrigin Origin) {
+std::vector<uint8_t> flattenScene(const Scene &Source, BvhOrigin Origin,
+                                  uint32_t PaddingBytes) {
   const float Largest = largestCoordinate(Source);
   // The slab test's subtraction and multiplication err by less than 2^-22 of
   // the largest coordinate; a few times that makes it miss nothing.
@@ -213,7 +217,7 @@ std::vector<uint8_t> flattenScene(const Scene &Source, BvhOrigin Origin) {
   SceneHeader Header{};
   // A hit point errs by some 2^-22 of the largest coordinate.
   Header.SurfaceOffset = Largest * 0x1p-16f;
-  BlockWriter Block;
+  BlockWriter Block(PaddingBytes);
   if (Origin == BvhOrigin::Kernel)
     appendWorkspace(Source, Boxes, Header, Block);
   else

@@ -19,9 +19,11 @@ namespace tp {
 enum class BvhOrigin : uint8_t { Host, Kernel };
 
 /// The scene as SceneLayout.h describes it, with its BVH or a BvhWorkspace. The
-/// block must be placed at a multiple of kSceneAlignment.
+/// block must be placed at a multiple of kSceneAlignment. Behind each array are
+/// at least \p PaddingBytes that nobody uses.
 std::vector<uint8_t> flattenScene(const Scene &Source,
-                                  BvhOrigin Origin = BvhOrigin::Host);
+                                  BvhOrigin Origin = BvhOrigin::Host,
+                                  uint32_t PaddingBytes = 0);
 
 } // namespace tp
 

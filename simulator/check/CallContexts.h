@@ -22,6 +22,13 @@ namespace tp {
 /// The calls under way; 0: none, or nobody knows.
 using CallContext = uint32_t;
 
+/// A place in the program's run.
+struct CodePlace {
+  uint32_t Thread = 0;
+  uint32_t Pc = 0;
+  CallContext Calls = 0;
+};
+
 /// The tree of calls.
 class CallContexts {
 public:
@@ -58,6 +65,11 @@ public:
   /// to \p ReturnPc.
   void called(CallContexts &Contexts, uint32_t CallPc, uint32_t ReturnPc,
               uint32_t StackPointer) {
+    // What has not saved its return address cannot call again and return.
+    while (!Frames.empty() && (Frames.back().StackPointer < StackPointer ||
+                               (Frames.back().StackPointer == StackPointer &&
+                                Frames.back().ReturnPc == ReturnPc)))
+      Frames.pop_back();
     Frames.push_back(
         {ReturnPc, StackPointer, Contexts.child(context(), CallPc)});
   }

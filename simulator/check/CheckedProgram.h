@@ -28,6 +28,8 @@ struct CheckedProgram {
   uint32_t HeapEnd = 0;
   /// The globals that have padding behind them.
   std::vector<CheckedGlobal> Globals;
+  /// By address.
+  std::vector<LaunchPart> Launch;
   CallContexts Contexts;
 };
 

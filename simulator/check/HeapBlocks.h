@@ -16,13 +16,6 @@
 
 namespace tp {
 
-/// A place in the program's run.
-struct CodePlace {
-  uint32_t Thread = 0;
-  uint32_t Pc = 0;
-  CallContext Calls = 0;
-};
-
 /// Memory that a program asked an allocator for.
 struct HeapBlock {
   uint32_t Begin = 0;

@@ -13,11 +13,14 @@
 
 namespace tp {
 
+static constexpr const char DoubleFree[] = "double-free";
+
 MemoryChecks::MemoryChecks(const MemoryCheckOptions &Wanted,
                            CheckedProgram &Program)
     : Wanted(Wanted), Program(Program) {
   for (const AtomicAccess &Known : Program.Elf.atomicAccesses())
-    AtomicAccesses.insert(Known.Address);
+    if (Known.IsPartOfWord)
+      AccessesToParts.insert(Known.Address);
 }
 
 void MemoryChecks::start(const AddressSpace &RunSpace, const ChipConfig &Chip,
@@ -32,24 +35,45 @@ void MemoryChecks::start(const AddressSpace &RunSpace, const ChipConfig &Chip,
         std::make_unique<ShadowMemory>(Space.LocalBegin, Chip.LocalStoreBytes);
     IsMapped = IsMapped && Shadow.Local->isMapped();
   }
-  if (!IsMapped)
-    Error = "the host has no room for what --check knows of each byte";
-  else
-    padGlobals();
+  if (!IsMapped) {
+    Error = "the host has no room for what --check knows of each byte; give "
+            "the chip less memory (--set memory.bytes=)";
+    return;
+  }
+  padGlobals();
+  padLaunch();
   StackBegin = Program.Elf.stackLimit().value_or(Space.LocalBegin);
   if (Program.HeapEnd != 0)
     HeapFrontier = Program.HeapBegin;
 }
 
 void MemoryChecks::padGlobals() {
+  auto pad = [](ShadowMemory &Memory, const CheckedGlobal &Known) {
+    Memory.setAccess(Known.Address, Known.Bytes, Access::All);
+    Memory.setAccess(toGranules(Known.Address + Known.Bytes),
+                     CheckedObject::PaddingBytes, Access::GlobalPadding);
+  };
   for (const CheckedGlobal &Known : Program.Globals) {
-    const uint32_t Padded =
-        (Known.Bytes + AccessGranule - 1) & ~(AccessGranule - 1);
-    if (!isBlock(Known.Address, Padded))
-      continue;
-    Global->setAccess(Known.Address, Known.Bytes, Access::All);
-    Global->setAccess(Known.Address + Padded, CheckedObject::PaddingBytes,
-                      Access::GlobalPadding);
+    if (isLocalObject(Known.Address, Known.Bytes)) {
+      for (ThreadShadow &Shadow : Shadows)
+        pad(*Shadow.Local, Known);
+    } else if (isBlock(Known.Address, Known.Bytes)) {
+      pad(*Global, Known);
+    }
+  }
+}
+
+void MemoryChecks::padLaunch() {
+  if (Program.Launch.empty())
+    return;
+  const uint32_t Begin = toGranules(Program.Launch.front().Address);
+  const LaunchPart &Last = Program.Launch.back();
+  Global->setAccess(Begin, uint32_t(Last.Address + Last.Bytes - Begin),
+                    Access::LaunchPadding);
+  for (const LaunchPart &Part : Program.Launch) {
+    const uint32_t First = Part.Address & ~(AccessGranule - 1);
+    Global->setAccess(First, uint32_t(Part.Address + Part.Bytes - First),
+                      Access::All);
   }
 }
 
@@ -67,10 +91,12 @@ void MemoryChecks::checkCode(const CheckedAccess &A, bool IsStore) {
     return;
   if (!A.IsLocal && shadowOf(A.T).isInAllocator())
     return;
-  Access Why = Access(Code);
   if (Code < AccessGranule)
-    Why = Access(memoryOf(A).accessOf(A.Address + AccessGranule));
-  reportAccess(A, IsStore, Why);
+    Code = memoryOf(A).accessOf(A.Address + AccessGranule);
+  // Others' memory has no padding.
+  reportAccess(A, IsStore,
+               Code < uint8_t(Access::HeapPadding) ? Access::HeapPadding
+                                                   : Access(Code));
 }
 
 void MemoryChecks::checkBound(const CheckedAccess &A, bool IsStore) {
@@ -82,22 +108,23 @@ void MemoryChecks::checkBound(const CheckedAccess &A, bool IsStore) {
   if (!Wanted.Stack || A.Address < StackBegin ||
       A.T.Registers[StackPointerRegister] > Space.LocalBegin + Space.LocalBytes)
     return;
-  if (!Program.Found.isNew("stack-use-after-return", A.Pc, 0))
+  if (!Program.Found.isNew("stack-use-after-return", placeOf(A.T, A.Pc)))
     return;
-  Program.Found.add(
-      {"stack",
-       "stack-use-after-return",
-       std::string(IsStore ? "store" : "load") + " of " + inBytes(A.Bytes) +
-           " below the stack pointer",
-       "the function whose memory that was has returned",
-       A.Address,
-       A.Bytes,
-       {side(IsStore ? "stored" : "loaded", placeOf(A.T, A.Pc))}});
+  Program.Found.add({"stack",
+                     "stack-use-after-return",
+                     std::string(IsStore ? "store" : "load") + " of " +
+                         inBytes(A.Bytes) + " below the stack pointer",
+                     "the function whose memory that was has returned",
+                     A.Address,
+                     A.Bytes,
+                     {side(IsStore ? "stored" : "loaded", placeOf(A.T, A.Pc))},
+                     ""});
 }
 
 /// The name of the fault of an access to what \p Code says.
 static const char *kindOf(Access Code) {
   switch (Code) {
+  case Access::All:
   case Access::HeapPadding:
     return "heap-out-of-bounds";
   case Access::HeapFreed:
@@ -110,20 +137,26 @@ static const char *kindOf(Access Code) {
     return "stack-use-after-scope";
   case Access::GlobalPadding:
     return "global-out-of-bounds";
-  default:
+  case Access::LaunchPadding:
     return "launch-out-of-bounds";
   }
+  __builtin_unreachable();
 }
+
+static bool isOfStack(Access Code) {
+  return Code == Access::StackPadding || Code == Access::StackDead;
+}
+
+static bool isOfHeap(Access Code) { return Code <= Access::HeapUnused; }
 
 void MemoryChecks::reportAccess(const CheckedAccess &A, bool IsStore,
                                 Access Code) {
   if (!Wanted.Memory)
     return;
-  const HeapBlock *Block = A.IsLocal || A.Address < Program.HeapBegin
-                               ? nullptr
-                               : Blocks.nearest(A.Address);
+  const HeapBlock *Block = isOfHeap(Code) ? Blocks.nearest(A.Address) : nullptr;
   const char *Kind = kindOf(Code);
-  if (!Program.Found.isNew(Kind, A.Pc, Block ? Block->AllocatedAt.Pc : 0))
+  const CodePlace Here = placeOf(A.T, A.Pc);
+  if (!Program.Found.isNew(Kind, Here, Block ? Block->AllocatedAt : Here))
     return;
   Report R{"memory",
            Kind,
@@ -131,23 +164,34 @@ void MemoryChecks::reportAccess(const CheckedAccess &A, bool IsStore,
            "",
            A.Address,
            A.Bytes,
-           {side(IsStore ? "stored" : "loaded", placeOf(A.T, A.Pc))}};
-  if (A.IsLocal) {
-    const StackObject *Object = shadowOf(A.T).nearestObject(A.Address);
-    if (Object) {
-      R.Object = Object->describe(A.Address);
-      R.Sides.push_back(side("the object began to live", Object->BeganAt));
-    }
-  } else if (Block) {
-    R.Object = Block->describe(A.Address);
-    if (Block->FreedAt)
-      R.Sides.push_back(side("given back", *Block->FreedAt));
-    R.Sides.push_back(side("allocated", Block->AllocatedAt));
-  } else if (std::optional<std::string> Name =
-                 Program.Names.describe(A.Address)) {
-    R.Object = *Name;
-  }
+           {side(IsStore ? "stored" : "loaded", Here)},
+           ""};
+  if (isOfStack(Code))
+    nameStackObject(A.T, A.Address, R);
+  else if (Block)
+    nameBlock(*Block, A.Address, R);
+  else
+    R.Object = Program.Names.describe(A.Address).value_or("");
   Program.Found.add(R);
+}
+
+void MemoryChecks::nameStackObject(const FunctionalThread &T, uint32_t Address,
+                                   Report &R) {
+  const StackObject *Object = shadowOf(T).nearestObject(Address);
+  if (!Object)
+    return;
+  R.Object = Object->describe(Address);
+  R.Sides.push_back(side("the object began to live", Object->BeganAt));
+}
+
+void MemoryChecks::nameBlock(const HeapBlock &Block, uint32_t Address,
+                             Report &R) const {
+  R.Object = Block.describe(Address);
+  if (Block.FreedAt)
+    R.Sides.push_back(
+        side(R.Kind == DoubleFree ? "given back before" : "given back",
+             *Block.FreedAt));
+  R.Sides.push_back(side("allocated", Block.AllocatedAt));
 }
 
 void MemoryChecks::trapped(const Trap &Why) {
@@ -164,7 +208,8 @@ void MemoryChecks::trapped(const Trap &Why) {
        "",
        std::nullopt,
        0,
-       {side("overflow", {Why.Thread, Why.Pc, Shadow.Calls.context()})}});
+       {side("overflow", {Why.Thread, Why.Pc, Shadow.Calls.context()})},
+       ""});
 }
 
 //===----------------------------------------------------------------------===//
@@ -189,7 +234,7 @@ void MemoryChecks::stackMoved(FunctionalThread &T, uint32_t) {
 }
 
 void MemoryChecks::loadUndefined(Step &S, const CheckedAccess &A) {
-  if (AtomicAccesses.contains(A.Pc)) {
+  if (AccessesToParts.contains(A.Pc)) {
     S.Loaded = 0;
     return;
   }
@@ -212,10 +257,6 @@ void MemoryChecks::loadUndefined(Step &S, const CheckedAccess &A) {
   S.LoadedOrigin = Origins.add(std::move(Origin));
 }
 
-void MemoryChecks::storeUndefined(const CheckedAccess &A, OriginId Origin) {
-  memoryOf(A).setOrigin(A.Address, Origin);
-}
-
 void MemoryChecks::reportUndefined(const char *Kind, const std::string &Title,
                                    std::vector<ReportSide> Sides,
                                    OriginId Origin,
@@ -225,7 +266,7 @@ void MemoryChecks::reportUndefined(const char *Kind, const std::string &Title,
     Sides.push_back(side(From.PlaceIs, From.Place));
   Program.Found.add({"init", Kind, Title,
                      From.What.empty() ? "" : "it is that of " + From.What,
-                     Address, 0, std::move(Sides)});
+                     Address, 0, std::move(Sides), ""});
 }
 
 void MemoryChecks::reportUndefined(FunctionalThread &T, uint32_t Pc,
@@ -235,21 +276,21 @@ void MemoryChecks::reportUndefined(FunctionalThread &T, uint32_t Pc,
   OriginId Origin = Shadow.Origin[Register];
   // The consequences are no news.
   Shadow.Undefined[Register] = 0;
-  if (!Wanted.Init || !Program.Found.isNew(Kind, Pc, Origin))
+  const CodePlace Here = placeOf(T, Pc);
+  if (!Wanted.Init || !Program.Found.isNew(Kind, Here, Origins[Origin].Place))
     return;
-  reportUndefined(Kind, Title, {side("used", placeOf(T, Pc))}, Origin);
+  reportUndefined(Kind, Title, {side("used", Here)}, Origin);
 }
 
 void MemoryChecks::atomic(Step &S, const CheckedAccess &A) {
   checkAccess(A, /*IsStore=*/true);
-  ShadowMemory &Memory = memoryOf(A);
-  std::memcpy(&S.Loaded, Memory.undefined(A.Address), 4);
-  if (S.Loaded != 0)
-    loadUndefined(S, A);
-  UndefinedBits New = S.Loaded | S.Stored;
-  std::memcpy(Memory.undefined(A.Address), &New, 4);
-  if (New != 0)
-    storeUndefined(A, S.Stored != 0 ? S.StoredOrigin : S.LoadedOrigin);
+  uint8_t *Bits = memoryOf(A).undefined(A.Address);
+  std::memcpy(&S.Loaded, Bits, sizeof(S.Loaded));
+  if (S.Loaded == 0)
+    return;
+  // Becomes what the operation leaves, if that is undefined.
+  std::memset(Bits, 0, sizeof(S.Loaded));
+  loadUndefined(S, A);
 }
 
 void MemoryChecks::streamLoad(Step &S, const CheckedAccess &A) {
@@ -263,9 +304,10 @@ void MemoryChecks::streamLoad(Step &S, const CheckedAccess &A) {
 
 void MemoryChecks::streamStore(Step &S, const CheckedAccess &A) {
   checkAccess(A, /*IsStore=*/true);
-  std::memcpy(Global->undefined(A.Address), &S.Stored, 4);
-  if (S.Stored != 0)
-    storeUndefined(A, S.StoredOrigin);
+  const UndefinedBits Bits = A.Address >= S.StreamWords ? S.Stored : 0;
+  std::memcpy(Global->undefined(A.Address), &Bits, sizeof(Bits));
+  if (Bits != 0)
+    Global->setOrigin(A.Address, S.StoredOrigin);
 }
 
 void MemoryChecks::output(FunctionalThread &T, uint32_t Pc, uint32_t Address,
@@ -278,12 +320,13 @@ void MemoryChecks::output(FunctionalThread &T, uint32_t Pc, uint32_t Address,
       continue;
     Step S;
     loadUndefined(S, A);
-    if (Wanted.Init &&
-        Program.Found.isNew("undefined-output", Pc, S.LoadedOrigin))
-      reportUndefined(
-          "undefined-output",
-          "byte " + std::to_string(I) + " of the output is undefined",
-          {side("written", placeOf(T, Pc))}, S.LoadedOrigin, A.Address);
+    const CodePlace Here = placeOf(T, Pc);
+    if (Wanted.Init && Program.Found.isNew("undefined-output", Here,
+                                           Origins[S.LoadedOrigin].Place))
+      reportUndefined("undefined-output",
+                      "byte " + std::to_string(I) +
+                          " of the output is undefined",
+                      {side("written", Here)}, S.LoadedOrigin, A.Address);
     return;
   }
 }
@@ -296,7 +339,7 @@ void MemoryChecks::checkResult(uint32_t Address, uint64_t Bytes,
     uint32_t At = uint32_t(Address + I);
     OriginId Origin = Global->origin(At);
     if (*Global->undefined(At) != 0 &&
-        Program.Found.isNew("undefined-output", 0, Origin))
+        Program.Found.isNew("undefined-output", {}, Origins[Origin].Place))
       reportUndefined("undefined-output",
                       "byte " + std::to_string(I) + " of " + Name +
                           " is undefined",
@@ -343,25 +386,23 @@ uint32_t MemoryChecks::leaveAllocator(FunctionalThread &T) {
 }
 
 void MemoryChecks::markBlock(uint32_t Address, uint32_t Bytes) {
-  uint32_t End = Address + Bytes;
-  if (HeapFrontier < Address)
-    Global->setAccess(HeapFrontier & ~(AccessGranule - 1),
-                      Address - (HeapFrontier & ~(AccessGranule - 1)),
-                      Access::HeapPadding);
   Global->setAccess(Address, Bytes, Access::All);
   // Others' memory has no padding.
   if (Address < Program.HeapBegin || Address >= Program.HeapEnd)
     return;
-  uint32_t Padding = (End + AccessGranule - 1) & ~(AccessGranule - 1);
+  if (HeapFrontier < Address)
+    Global->setAccess(HeapFrontier, Address - HeapFrontier,
+                      Access::HeapPadding);
+  const uint32_t Padding = toGranules(Address + Bytes);
   Global->setAccess(Padding, HeapPaddingBytes, Access::HeapPadding);
   HeapFrontier = std::max(HeapFrontier, Padding + HeapPaddingBytes);
 }
 
 bool MemoryChecks::isBlock(uint32_t Address, uint32_t Bytes) const {
-  const uint64_t WithPadding =
-      uint64_t(Bytes) + AccessGranule + HeapPaddingBytes;
-  return Address % AccessGranule == 0 && Space.isGlobal(Address) &&
-         WithPadding <= Space.GlobalBytes - (Address - kGlobalMemoryBegin);
+  static_assert(HeapPaddingBytes >= CheckedObject::PaddingBytes);
+  constexpr uint32_t Behind = AccessGranule + HeapPaddingBytes;
+  return Address % AccessGranule == 0 && Bytes <= UINT32_MAX - Behind &&
+         hasGlobal(Address, Bytes + Behind);
 }
 
 void MemoryChecks::allocated(FunctionalThread &T, uint32_t Pc,
@@ -384,25 +425,23 @@ void MemoryChecks::resized(FunctionalThread &T, uint32_t Pc, uint32_t Address) {
   if (Bytes > OldBytes)
     Global->setUndefined(Address + OldBytes, Bytes - OldBytes);
   else
-    Global->setAccess(
-        (Address + Bytes + AccessGranule - 1) & ~(AccessGranule - 1),
-        (OldBytes - Bytes) & ~(AccessGranule - 1), Access::HeapPadding);
+    Global->setAccess(toGranules(Address + Bytes),
+                      (OldBytes - Bytes) & ~(AccessGranule - 1),
+                      Access::HeapPadding);
   Blocks.add({Address, Bytes, placeOf(T, Pc), std::nullopt});
 }
 
 void MemoryChecks::freeing(FunctionalThread &T, uint32_t Pc, uint32_t Address) {
   HeapBlock *Block = Blocks.at(Address);
-  CodePlace Here = placeOf(T, Pc);
+  const CodePlace Here = placeOf(T, Pc);
   if (Block && !Block->FreedAt) {
     Block->FreedAt = Here;
-    Global->setAccess(Address,
-                      (Block->Bytes + AccessGranule - 1) & ~(AccessGranule - 1),
-                      Access::HeapFreed);
+    Global->setAccess(Address, toGranules(Block->Bytes), Access::HeapFreed);
     return;
   }
-  const char *Kind = Block ? "double-free" : "invalid-free";
+  const char *Kind = Block ? DoubleFree : "invalid-free";
   if (!Wanted.Memory ||
-      !Program.Found.isNew(Kind, Pc, Block ? Block->AllocatedAt.Pc : 0))
+      !Program.Found.isNew(Kind, Here, Block ? Block->AllocatedAt : Here))
     return;
   Report R{"memory",
            Kind,
@@ -411,47 +450,65 @@ void MemoryChecks::freeing(FunctionalThread &T, uint32_t Pc, uint32_t Address) {
            "",
            Address,
            0,
-           {side("given back", Here)}};
-  if (Block) {
-    R.Object = Block->describe(Address);
-    R.Sides.push_back(side("given back before", *Block->FreedAt));
-    R.Sides.push_back(side("allocated", Block->AllocatedAt));
-  } else if (const HeapBlock *Near = Blocks.nearest(Address)) {
-    R.Object = Near->describe(Address);
-    R.Sides.push_back(side("allocated", Near->AllocatedAt));
-  }
+           {side("given back", Here)},
+           ""};
+  const HeapBlock *Near = Blocks.nearest(Address);
+  if (Space.isLocal(Address))
+    nameStackObject(T, Address, R);
+  else if (Near && Address >= Program.HeapBegin)
+    nameBlock(*Near, Address, R);
+  else
+    R.Object = Program.Names.describe(Address).value_or("");
   Program.Found.add(R);
+}
+
+bool MemoryChecks::isLocalObject(uint32_t Address, uint32_t Bytes) const {
+  const uint64_t Begin = Space.LocalBegin;
+  const uint64_t End = Begin + Space.LocalBytes;
+  return Address % AccessGranule == 0 && Address >= Begin && Address < End &&
+         uint64_t(Bytes) + AccessGranule + CheckedObject::PaddingBytes <=
+             End - Address;
 }
 
 void MemoryChecks::objectBegins(FunctionalThread &T, uint32_t Pc,
                                 uint32_t Address) {
   ThreadShadow &Shadow = shadowOf(T);
   CheckedObject Object;
-  if (!Space.isGlobal(Shadow.ObjectDescriptor) || !Space.isLocal(Address))
+  if (!hasGlobal(Shadow.ObjectDescriptor, sizeof(Object)))
     return;
   std::memcpy(&Object, Space.Global + Shadow.ObjectDescriptor, sizeof(Object));
-  const char *Name =
-      Space.isGlobal(Object.Name)
-          ? reinterpret_cast<const char *>(Space.Global) + Object.Name
-          : "";
-  const uint32_t Padded =
-      (Object.Bytes + AccessGranule - 1) & ~(AccessGranule - 1);
-  Shadow.Local->setAccess(Address - CheckedObject::PaddingBytes,
-                          CheckedObject::PaddingBytes, Access::StackPadding);
-  Shadow.Local->setAccess(Address, Object.Bytes, Access::All);
-  Shadow.Local->setAccess(Address + Padded, CheckedObject::PaddingBytes,
+  const uint32_t Before = Address - CheckedObject::PaddingBytes;
+  if (!isLocalObject(Before, CheckedObject::PaddingBytes) ||
+      !isLocalObject(Address, Object.Bytes))
+    return;
+  Shadow.Local->setAccess(Before, CheckedObject::PaddingBytes,
                           Access::StackPadding);
+  Shadow.Local->setAccess(Address, Object.Bytes, Access::All);
+  Shadow.Local->setAccess(toGranules(Address + Object.Bytes),
+                          CheckedObject::PaddingBytes, Access::StackPadding);
   Shadow.Local->setUndefined(Address, Object.Bytes);
-  Shadow.Objects[Address] = {Address, Object.Bytes, Name, placeOf(T, Pc)};
+  Shadow.Objects[Address] = {Address, Object.Bytes, textAt(Object.Name),
+                             placeOf(T, Pc)};
+}
+
+bool MemoryChecks::hasGlobal(uint32_t Address, uint32_t Bytes) const {
+  return Space.isGlobal(Address) &&
+         Bytes <= Space.GlobalBytes - (Address - kGlobalMemoryBegin);
+}
+
+std::string_view MemoryChecks::textAt(uint32_t Address) const {
+  constexpr uint32_t MaxNameBytes = 256;
+  if (!hasGlobal(Address, MaxNameBytes))
+    return "";
+  const auto *Text = reinterpret_cast<const char *>(Space.Global) + Address;
+  return {Text, strnlen(Text, MaxNameBytes)};
 }
 
 void MemoryChecks::objectEnds(FunctionalThread &T, uint32_t, uint32_t Address) {
   ThreadShadow &Shadow = shadowOf(T);
   auto Known = Shadow.Objects.find(Address);
   if (Known != Shadow.Objects.end())
-    Shadow.Local->setAccess(Address,
-                            (Known->second.Bytes + AccessGranule - 1) &
-                                ~(AccessGranule - 1),
+    Shadow.Local->setAccess(Address, toGranules(Known->second.Bytes),
                             Access::StackDead);
 }
 

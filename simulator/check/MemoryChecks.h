@@ -19,8 +19,10 @@
 #include "simulator/check/ThreadShadow.h"
 #include "simulator/check/UndefinedOrigins.h"
 #include "simulator/functional/Checks.h"
+#include "simulator/isa/StreamAccess.h"
 
 #include <memory>
+#include <string_view>
 #include <unordered_set>
 #include <vector>
 
@@ -49,6 +51,9 @@ public:
     UndefinedBits Stored = 0;
     OriginId LoadedOrigin = NoOrigin;
     OriginId StoredOrigin = NoOrigin;
+    /// Of a stream operation, where the stream's words begin, behind the
+    /// descriptor.
+    uint32_t StreamWords = 0;
   };
 
   /// The arguments must outlive it.
@@ -118,10 +123,12 @@ private:
   [[gnu::noinline]] void checkCode(const CheckedAccess &A, bool IsStore);
   [[gnu::noinline]] void checkBound(const CheckedAccess &A, bool IsStore);
   void reportAccess(const CheckedAccess &A, bool IsStore, Access Code);
+  /// What \p Address is, as far as the stack's objects or a block of the heap
+  /// say it.
+  void nameStackObject(const FunctionalThread &T, uint32_t Address, Report &R);
+  void nameBlock(const HeapBlock &Block, uint32_t Address, Report &R) const;
 
   [[gnu::noinline]] void loadUndefined(Step &S, const CheckedAccess &A);
-  [[gnu::noinline]] void storeUndefined(const CheckedAccess &A,
-                                        OriginId Origin);
   /// The instruction depends on undefined bits of its source \p Operand.
   [[gnu::noinline]] void reportUndefined(FunctionalThread &T, uint32_t Pc,
                                          const char *Kind, const char *Title,
@@ -134,18 +141,29 @@ private:
                                         const Instruction &Decoded,
                                         const BodyType &Run);
   template <Opcode Op, class BodyType>
+  [[gnu::noinline]] void wordUndefined(const Step &S, FunctionalThread &T,
+                                       const Instruction &Decoded,
+                                       const BodyType &Run);
+  template <Opcode Op, class BodyType>
   [[gnu::noinline]] void conditionUndefined(FunctionalThread &T, uint32_t Pc,
                                             const Instruction &Decoded,
                                             const BodyType &Run);
 
   void padGlobals();
+  void padLaunch();
   /// Gives the bytes that the innermost call of the allocator was asked for.
   uint32_t leaveAllocator(FunctionalThread &T);
   void allocated(FunctionalThread &T, uint32_t Pc, uint32_t Address);
   void resized(FunctionalThread &T, uint32_t Pc, uint32_t Address);
   void freeing(FunctionalThread &T, uint32_t Pc, uint32_t Address);
-  /// Whether a message about this block can be believed.
+  /// Whether global memory has [Address, Address + Bytes).
+  bool hasGlobal(uint32_t Address, uint32_t Bytes) const;
+  /// The text in global memory, shortened if it is long.
+  std::string_view textAt(uint32_t Address) const;
+  /// Whether a message about this block of global memory, or this object of a
+  /// local store, with padding behind it, can be believed.
   bool isBlock(uint32_t Address, uint32_t Bytes) const;
+  bool isLocalObject(uint32_t Address, uint32_t Bytes) const;
   void markBlock(uint32_t Address, uint32_t Bytes);
   void objectBegins(FunctionalThread &T, uint32_t Pc, uint32_t Address);
   void objectEnds(FunctionalThread &T, uint32_t Pc, uint32_t Address);
@@ -156,9 +174,9 @@ private:
   AddressSpace Space;
   std::unique_ptr<ShadowMemory> Global;
   std::vector<ThreadShadow> Shadows;
-  /// Atomic accesses may be to more than the program means: the rest of the
-  /// word takes part in a comparison whose outcome does not matter.
-  std::unordered_set<uint32_t> AtomicAccesses;
+  /// Atomic accesses to a word for the sake of some of its bytes: the rest
+  /// takes part in a comparison whose outcome does not matter.
+  std::unordered_set<uint32_t> AccessesToParts;
   /// Global memory from here on has never been allocated.
   uint32_t HeapFrontier = UINT32_MAX;
   /// The lowest address that the stack may reach.
@@ -196,6 +214,9 @@ template <Opcode Op> constexpr bool isLoad() {
 template <Opcode Op> constexpr bool isIndexed() {
   return Op >= Opcode::LBX && Op <= Opcode::SWXC1;
 }
+template <Opcode Op> constexpr bool isStream() {
+  return Op == Opcode::STREAM_PUSH || Op == Opcode::STREAM_POP;
+}
 template <Opcode Op> constexpr bool isAtomicOrStream() {
   return Op >= Opcode::ATOM_ADD && Op <= Opcode::STREAM_POP;
 }
@@ -217,6 +238,8 @@ void MemoryChecks::before(Step &S, FunctionalThread &T, uint32_t Pc,
                           const Instruction &Decoded, const BodyType &Run) {
   const ThreadShadow &Shadow = shadowOf(T);
   if constexpr (isLoad<Op>() || isStore<Op>() || isAtomicOrStream<Op>()) {
+    if constexpr (isStream<Op>())
+      S.StreamWords = Run.rs + StreamDescriptorBytes;
     constexpr unsigned First = addressSource<Op>();
     for (unsigned I = 0; I != First; ++I) {
       S.Stored |= Shadow.Undefined[Decoded.Source[I]];
@@ -267,6 +290,9 @@ template <Opcode Op, class BodyType>
 void MemoryChecks::after(Step &S, FunctionalThread &T, uint32_t Pc,
                          const Instruction &Decoded, const BodyType &Run,
                          bool KeepsDestination) {
+  if constexpr (isAtomicOrStream<Op>() && !isStream<Op>())
+    if ((S.Loaded | S.Stored) != 0) [[unlikely]]
+      wordUndefined<Op>(S, T, Decoded, Run);
   if constexpr (BodyType::HasDestination) {
     ThreadShadow &Shadow = shadowOf(T);
     uint8_t Destination = Decoded.Destination;
@@ -311,6 +337,21 @@ void MemoryChecks::afterUndefined(ThreadShadow &Shadow,
   Shadow.Origin[Decoded.Destination] = Origin;
 }
 
+template <Opcode Op, class BodyType>
+void MemoryChecks::wordUndefined(const Step &S, FunctionalThread &T,
+                                 const Instruction &Decoded,
+                                 const BodyType &Run) {
+  ThreadShadow &Shadow = shadowOf(T);
+  constexpr unsigned Operand = addressSource<Op>() - 1;
+  const UndefinedBits New = undefinedWord<Op>(
+      Run, Run.result(), S.Loaded, Shadow.Undefined[Decoded.Source[Operand]],
+      Operand == 0 ? 0 : Shadow.Undefined[Decoded.Source[0]]);
+  ShadowMemory &Memory = Space.isLocal(Run.rs) ? *Shadow.Local : *Global;
+  std::memcpy(Memory.undefined(Run.rs), &New, sizeof(New));
+  if (New != 0)
+    Memory.setOrigin(Run.rs, S.Stored != 0 ? S.StoredOrigin : S.LoadedOrigin);
+}
+
 template <Opcode Op>
 void MemoryChecks::branched(FunctionalThread &T, uint32_t Pc,
                             const Instruction &, uint32_t Target) {
@@ -333,7 +374,7 @@ inline void MemoryChecks::store(Step &S, const CheckedAccess &A) {
   checkAccess(A, /*IsStore=*/true);
   std::memcpy(memoryOf(A).undefined(A.Address), &S.Stored, A.Bytes);
   if (S.Stored != 0) [[unlikely]]
-    storeUndefined(A, S.StoredOrigin);
+    memoryOf(A).setOrigin(A.Address, S.StoredOrigin);
 }
 
 } // namespace tp

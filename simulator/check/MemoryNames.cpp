@@ -54,7 +54,8 @@ MemoryNames::MemoryNames(const ElfProgram &Program) {
     Expected<StringRef> Name = Symbol.getName();
     Expected<uint64_t> Address = Symbol.getAddress();
     if (Name && Address)
-      add(uint32_t(*Address), Variable.getSize(), "'" + demangle(*Name) + "'");
+      add({uint32_t(*Address), Variable.getSize(),
+           "'" + demangle(*Name) + "'"});
     consumeError(Name.takeError());
     consumeError(Address.takeError());
   }
@@ -63,8 +64,8 @@ MemoryNames::MemoryNames(const ElfProgram &Program) {
       Padded->second.Bytes = Known.Bytes;
 }
 
-void MemoryNames::add(uint32_t Address, uint64_t Bytes, std::string Name) {
-  Objects[Address] = {Bytes, std::move(Name)};
+void MemoryNames::add(const LaunchPart &Part) {
+  Objects[Part.Address] = {Part.Bytes, Part.Name};
 }
 
 std::optional<std::string> MemoryNames::describe(uint32_t Address) const {
@@ -74,8 +75,7 @@ std::optional<std::string> MemoryNames::describe(uint32_t Address) const {
   const auto &[Begin, Found] = *std::prev(Behind);
   uint32_t Offset = Address - Begin;
   // Farther away it is none of the object's business.
-  constexpr uint32_t MaxBehind = 64;
-  if (Offset >= Found.Bytes + MaxBehind)
+  if (Offset >= Found.Bytes + LaunchPaddingBytes)
     return std::nullopt;
   return describePlace(Address, Begin, Found.Bytes, Found.Name);
 }

@@ -21,14 +21,26 @@ namespace tp {
 /// What -ftp-check-objects says of the globals of \p Program.
 std::vector<CheckedGlobal> readCheckedGlobals(const ElfProgram &Program);
 
+/// Bytes behind each part of the launch that nobody may access, when accesses
+/// are checked: the largest record of a scene.
+inline constexpr uint32_t LaunchPaddingBytes = 128;
+
+/// What the program finds at its start beside its globals: the framebuffer, an
+/// array of the scene.
+struct LaunchPart {
+  uint32_t Address;
+  uint64_t Bytes;
+  /// As in "8 bytes behind the framebuffer".
+  std::string Name;
+};
+
 /// The program's globals and the parts of its launch by address.
 class MemoryNames {
 public:
   /// The variables in the symbol table of \p Program.
   explicit MemoryNames(const ElfProgram &Program);
 
-  /// \p Name as in "8 bytes behind the framebuffer".
-  void add(uint32_t Address, uint64_t Bytes, std::string Name);
+  void add(const LaunchPart &Part);
 
   /// Where \p Address lies in, or right behind, a known object; nothing if
   /// there is none.

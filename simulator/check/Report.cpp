@@ -29,6 +29,8 @@ const std::vector<SourceFrame> &Reports::frames(uint32_t Pc) {
 }
 
 bool Reports::isSuppressed(const Report &R) {
+  if (Suppressed.isEmpty())
+    return false;
   for (const ReportSide &Side : R.Sides)
     for (uint32_t Pc : Side.Stack)
       for (const SourceFrame &Frame : frames(Pc))
@@ -39,6 +41,8 @@ bool Reports::isSuppressed(const Report &R) {
 
 std::string Reports::causeOf(const Report &R) {
   std::string Cause = R.Kind;
+  if (!R.Cause.empty())
+    return Cause + '|' + R.Cause;
   raw_string_ostream OS(Cause);
   for (const ReportSide &Side : R.Sides) {
     OS << '|' << Side.What << '|';
@@ -54,12 +58,13 @@ std::string Reports::causeOf(const Report &R) {
 }
 
 void Reports::add(const Report &R) {
-  if (Written >= MaxWritten || !Causes.insert(causeOf(R)).second)
-    return;
+  const std::string Cause = causeOf(R);
   if (isSuppressed(R)) {
-    ++NumSuppressed;
+    SuppressedCauses.insert(Cause);
     return;
   }
+  if (Written >= MaxWritten || !Causes.insert(Cause).second)
+    return;
   ++Written;
   write(R);
   Kept.push_back(json(R));
@@ -110,11 +115,11 @@ void Reports::writeStack(ArrayRef<uint32_t> Stack, unsigned &Number) {
 }
 
 void Reports::writeSummary() const {
-  if (Written == 0 && NumSuppressed == 0)
+  if (Written == 0 && suppressed() == 0)
     return;
   OS << "tpsim: checks: " << Written << (Written == 1 ? " fault" : " faults");
-  if (NumSuppressed != 0)
-    OS << ", " << NumSuppressed << " suppressed";
+  if (suppressed() != 0)
+    OS << ", " << suppressed() << " suppressed";
   OS << '\n';
 }
 
@@ -152,7 +157,7 @@ json::Value Reports::json(const Report &R) {
 json::Value Reports::json() const {
   return json::Object{{"version", 1},
                       {"faults", json::Array(Kept)},
-                      {"suppressed", uint64_t(NumSuppressed)}};
+                      {"suppressed", uint64_t(suppressed())}};
 }
 
 } // namespace tp

@@ -7,6 +7,7 @@
 #ifndef TP_SIMULATOR_CHECK_REPORT_H
 #define TP_SIMULATOR_CHECK_REPORT_H
 
+#include "simulator/check/CallContexts.h"
 #include "simulator/check/Suppressions.h"
 #include "simulator/chip/ChipConfig.h"
 #include "simulator/loader/Symbolizer.h"
@@ -21,6 +22,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace tp {
@@ -53,6 +56,9 @@ struct Report {
   uint32_t Bytes = 0;
   /// The one that the fault was noticed at comes first.
   std::vector<ReportSide> Sides;
+  /// What it has in common with others of its kind that are not worth another
+  /// report; empty: the source lines of all sides.
+  std::string Cause;
 };
 
 /// Writes reports as they come, each cause once, and keeps them for the end.
@@ -62,14 +68,20 @@ public:
   Reports(const ElfProgram &Program, const ChipConfig &Chip,
           const Suppressions &Suppressed, llvm::raw_ostream &OS);
 
-  /// Whether a report of this kind about these two places (0: none) may be
+  /// Whether a report of this kind, a literal, about these two places may be
   /// news. Cheap, for faults that come often; notes the places.
-  bool isNew(const char *Kind, uint32_t Pc, uint32_t OtherPc) {
-    return Places.insert({Kind, Pc, OtherPc}).second;
+  bool isNew(const char *Kind, const CodePlace &Place,
+             const CodePlace &Other = {}) {
+    // Of several stacks some may be suppressed.
+    const bool TellsStacksApart = !Suppressed.isEmpty();
+    return Places
+        .insert({Kind, Place.Pc, TellsStacksApart ? Place.Calls : 0, Other.Pc,
+                 TellsStacksApart ? Other.Calls : 0})
+        .second;
   }
 
-  /// Writes \p R unless it is suppressed or another one of its kind has named
-  /// the same source lines.
+  /// Writes \p R unless it is suppressed or another one of its kind had the
+  /// same cause.
   void add(const Report &R);
 
   /// The functions, files and lines of an instruction, innermost first.
@@ -77,17 +89,18 @@ public:
 
   /// What was written, and what the user did not want to see.
   size_t written() const { return Written; }
-  size_t suppressed() const { return NumSuppressed; }
+  size_t suppressed() const { return SuppressedCauses.size(); }
   /// The line about all of it at the end of the run.
   void writeSummary() const;
   /// All that was written.
   llvm::json::Value json() const;
 
 private:
-  using Place = std::tuple<std::string, uint32_t, uint32_t>;
+  using PlacePair = std::tuple<std::string_view, uint32_t, CallContext,
+                               uint32_t, CallContext>;
 
   bool isSuppressed(const Report &R);
-  /// Kind and source lines of all sides.
+  /// Kind and cause.
   std::string causeOf(const Report &R);
   void write(const Report &R);
   void writeSide(const ReportSide &Side);
@@ -100,11 +113,11 @@ private:
   llvm::raw_ostream &OS;
   Symbolizer Symbols;
   std::map<uint32_t, std::vector<SourceFrame>> FramesOf;
-  std::set<Place> Places;
+  std::set<PlacePair> Places;
   llvm::StringSet<> Causes;
+  llvm::StringSet<> SuppressedCauses;
   llvm::json::Array Kept;
   size_t Written = 0;
-  size_t NumSuppressed = 0;
 };
 
 } // namespace tp

@@ -35,11 +35,16 @@ enum class Access : uint8_t {
   GlobalPadding,
   /// An object of the stack whose life is over.
   StackDead,
-  /// Between parts of the launch.
+  /// Behind a part of the launch.
   LaunchPadding,
 };
 
 inline constexpr uint32_t AccessGranule = 8;
+
+/// The granules that begin before \p Address.
+constexpr uint32_t toGranules(uint32_t Address) {
+  return (Address + AccessGranule - 1) & ~(AccessGranule - 1);
+}
 
 /// The tables of one memory. Addresses are those of the program.
 class ShadowMemory {
@@ -70,7 +75,7 @@ public:
   }
 
   /// All of [\p From, \p From + \p Bytes), of which the last granule may be
-  /// accessed in part, is \p Code now.
+  /// accessed in part, is \p Code now. \p From is a multiple of the granule.
   void setAccess(uint32_t From, uint32_t Bytes, Access Code) {
     uint8_t *First = Accesses.data() + (From - Begin) / AccessGranule;
     std::memset(First, int(Code), Bytes / AccessGranule);
@@ -81,8 +86,11 @@ public:
   /// The content of [\p From, \p From + \p Bytes) is not defined any more.
   void setUndefined(uint32_t From, uint32_t Bytes) {
     std::memset(undefined(From), 0xff, Bytes);
-    if (HasOrigins)
-      std::memset(Words.data() + (From - Begin), 0, Bytes);
+    if (!HasOrigins)
+      return;
+    const uint32_t FirstWord = (From - Begin) & ~3u;
+    const uint32_t EndWord = (From - Begin + Bytes + 3) & ~3u;
+    std::memset(Words.data() + FirstWord, 0, EndWord - FirstWord);
   }
 
 private:

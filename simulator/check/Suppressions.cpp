@@ -9,10 +9,23 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/LineIterator.h"
+#include "llvm/Support/MemoryBuffer.h"
+#include "llvm/Support/StringSaver.h"
 
 using namespace llvm;
 
 namespace tp {
+
+/// \p Pattern with only `*` and `?` standing for others.
+static std::string withoutOtherWildcards(StringRef Pattern) {
+  std::string Result;
+  for (char Letter : Pattern) {
+    if (Letter == '[' || Letter == ']' || Letter == '\\')
+      Result += '\\';
+    Result += Letter;
+  }
+  return Result;
+}
 
 Expected<Suppressions> Suppressions::read(StringRef Path) {
   ErrorOr<std::unique_ptr<MemoryBuffer>> File =
@@ -21,9 +34,9 @@ Expected<Suppressions> Suppressions::read(StringRef Path) {
     return createStringError("cannot read " + Path + ": " +
                              File.getError().message());
   Suppressions Result;
-  Result.Text = std::move(*File);
-  for (line_iterator Line(*Result.Text, /*SkipBlanks=*/true, '#');
-       !Line.is_at_end(); ++Line) {
+  StringSaver Texts(*Result.Texts);
+  for (line_iterator Line(**File, /*SkipBlanks=*/true, '#'); !Line.is_at_end();
+       ++Line) {
     if (Line->trim().empty())
       continue;
     auto [Check, Function] = Line->trim().split(':');
@@ -36,7 +49,8 @@ Expected<Suppressions> Suppressions::read(StringRef Path) {
           " or *");
     if (Function.empty())
       return createStringError(Place + ": expected <checker>:<function>");
-    Expected<GlobPattern> Pattern = GlobPattern::create(Function);
+    Expected<GlobPattern> Pattern =
+        GlobPattern::create(Texts.save(withoutOtherWildcards(Function)));
     if (!Pattern)
       return createStringError(Place + ": " + toString(Pattern.takeError()));
     Result.Rules.push_back({Check.str(), std::move(*Pattern)});

@@ -16,9 +16,9 @@
 #define TP_SIMULATOR_CHECK_SUPPRESSIONS_H
 
 #include "llvm/ADT/StringRef.h"
+#include "llvm/Support/Allocator.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/GlobPattern.h"
-#include "llvm/Support/MemoryBuffer.h"
 
 #include <memory>
 #include <string>
@@ -38,6 +38,7 @@ public:
   /// Errors name the file, the line and what is allowed.
   static llvm::Expected<Suppressions> read(llvm::StringRef Path);
 
+  bool isEmpty() const { return Rules.empty(); }
   /// Whether reports of \p Check that involve \p Function, demangled, are
   /// suppressed.
   bool covers(llvm::StringRef Check, llvm::StringRef Function) const;
@@ -47,8 +48,9 @@ private:
     std::string Check;
     llvm::GlobPattern Function;
   };
-  /// The patterns refer to it.
-  std::shared_ptr<llvm::MemoryBuffer> Text;
+  /// The texts that the patterns refer to.
+  std::shared_ptr<llvm::BumpPtrAllocator> Texts =
+      std::make_shared<llvm::BumpPtrAllocator>();
   std::vector<Rule> Rules;
 };
 

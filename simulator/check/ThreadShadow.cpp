@@ -14,7 +14,7 @@ namespace tp {
 
 std::string StackObject::describe(uint32_t Address) const {
   return describePlace(Address, Begin, Bytes,
-                       std::string("the stack object '") + Name + "'");
+                       "the stack object '" + std::string(Name) + "'");
 }
 
 const StackObject *ThreadShadow::nearestObject(uint32_t Address) const {
@@ -31,8 +31,8 @@ const StackObject *ThreadShadow::nearestObject(uint32_t Address) const {
 void ThreadShadow::forgetObjects(uint32_t Begin, uint32_t End) {
   if (Objects.empty())
     return;
-  Local->setAccess(Begin & ~(AccessGranule - 1),
-                   End - (Begin & ~(AccessGranule - 1)), Access::All);
+  const uint32_t First = Begin & ~(AccessGranule - 1);
+  Local->setAccess(First, toGranules(End) - First, Access::All);
   Objects.erase(Objects.lower_bound(Begin), Objects.lower_bound(End));
 }
 

@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tp {
@@ -24,7 +25,7 @@ namespace tp {
 struct StackObject {
   uint32_t Begin = 0;
   uint32_t Bytes = 0;
-  const char *Name = "";
+  std::string_view Name;
   CodePlace BeganAt;
 
   /// Where \p Address lies, such as "4 bytes behind 'values' of 40 bytes".

@@ -53,6 +53,22 @@ constexpr bool isSignedOrderUndefined(uint32_t A, UndefinedBits OfA, uint32_t B,
   return isOrderUndefined(A ^ Sign, OfA, B ^ Sign, OfB);
 }
 
+constexpr UndefinedBits undefinedAnd(uint32_t A, UndefinedBits OfA, uint32_t B,
+                                     UndefinedBits OfB) {
+  return (OfA | OfB) & (OfA | A) & (OfB | B);
+}
+
+constexpr UndefinedBits undefinedOr(uint32_t A, UndefinedBits OfA, uint32_t B,
+                                    UndefinedBits OfB) {
+  return (OfA | OfB) & (OfA | ~A) & (OfB | ~B);
+}
+
+/// Of one of two values, when nobody knows of which one.
+constexpr UndefinedBits undefinedChoice(uint32_t A, UndefinedBits OfA,
+                                        uint32_t B, UndefinedBits OfB) {
+  return OfA | OfB | (A ^ B);
+}
+
 /// True for instructions that only move bits and copies of bits.
 constexpr bool movesBits(Opcode Op) {
   switch (Op) {
@@ -108,9 +124,9 @@ UndefinedBits undefinedResult(const Instruction &Decoded, const Body<Op> &Run,
   } else if constexpr (Op == Opcode::ADDI) {
     return spreadUpwards(First);
   } else if constexpr (Op == Opcode::AND) {
-    return (First | Second) & (First | Run.rs) & (Second | Run.rt);
+    return undefinedAnd(Run.rs, First, Run.rt, Second);
   } else if constexpr (Op == Opcode::OR || Op == Opcode::NOR) {
-    return (First | Second) & (First | ~Run.rs) & (Second | ~Run.rt);
+    return undefinedOr(Run.rs, First, Run.rt, Second);
   } else if constexpr (Op == Opcode::XOR) {
     return First | Second;
   } else if constexpr (Op == Opcode::ANDI) {
@@ -133,12 +149,38 @@ UndefinedBits undefinedResult(const Instruction &Decoded, const Body<Op> &Run,
                        Op == Opcode::MOVN_S || Op == Opcode::MOVZ_S) {
     constexpr bool WhenZero = Op == Opcode::MOVZ || Op == Opcode::MOVZ_S;
     if (isEqualityUndefined(Run.rt, Third, 0, 0))
-      return First | Second | (toBits(Run.rdold) ^ toBits(Run.rs));
+      return undefinedChoice(toBits(Run.rdold), First, toBits(Run.rs), Second);
     return (Run.rt == 0) == WhenZero ? Second : First;
   } else if constexpr (givesOneBit(Op)) {
     return 1;
   } else {
     return AllUndefined;
+  }
+}
+
+/// The undefined bits of the word that an atomic operation leaves behind:
+/// \p Old and \p OfOld are those that it found, \p OfOperand those of its
+/// operand, \p OfExpected those of what a compare-and-swap expects.
+template <Opcode Op>
+UndefinedBits undefinedWord(const Body<Op> &Run, uint32_t Old,
+                            UndefinedBits OfOld, UndefinedBits OfOperand,
+                            UndefinedBits OfExpected) {
+  if constexpr (Op == Opcode::ATOM_CAS) {
+    if (isEqualityUndefined(Old, OfOld, Run.rdold, OfExpected))
+      return undefinedChoice(Old, OfOld, Run.rt, OfOperand);
+    return Old == Run.rdold ? OfOperand : OfOld;
+  } else if constexpr (Op == Opcode::ATOM_SWAP) {
+    return OfOperand;
+  } else if constexpr (Op == Opcode::ATOM_ADD) {
+    return spreadUpwards(OfOld | OfOperand);
+  } else if constexpr (Op == Opcode::ATOM_AND) {
+    return undefinedAnd(Old, OfOld, Run.rt, OfOperand);
+  } else if constexpr (Op == Opcode::ATOM_OR) {
+    return undefinedOr(Old, OfOld, Run.rt, OfOperand);
+  } else if constexpr (Op == Opcode::ATOM_XOR) {
+    return OfOld | OfOperand;
+  } else {
+    return undefinedChoice(Old, OfOld, Run.rt, OfOperand);
   }
 }
 

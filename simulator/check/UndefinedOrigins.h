@@ -35,12 +35,17 @@ struct UndefinedOrigin {
 /// All origins, each once.
 class UndefinedOrigins {
 public:
-  UndefinedOrigins() : Origins(2) {
+  /// Keeps so many origins apart.
+  explicit UndefinedOrigins(size_t MaxOrigins = 1 << 18)
+      : MaxOrigins(MaxOrigins), Origins(FirstOfMemory) {
     Origins[UnwrittenRegister].What = "a register that was never written";
+    Origins[SomeMemory].What = "memory that nobody has written";
   }
 
   /// The number of this one.
   OriginId add(UndefinedOrigin Origin) {
+    if (Origins.size() >= MaxOrigins)
+      return SomeMemory;
     auto [Known, IsNew] = Numbers.try_emplace(
         std::tuple(Origin.Place.Pc, Origin.Place.Calls, Origin.What),
         OriginId(Origins.size()));
@@ -52,6 +57,11 @@ public:
   const UndefinedOrigin &operator[](OriginId Id) const { return Origins[Id]; }
 
 private:
+  /// One of those that are too many.
+  static constexpr OriginId SomeMemory = 2;
+  static constexpr OriginId FirstOfMemory = 3;
+
+  const size_t MaxOrigins;
   std::vector<UndefinedOrigin> Origins;
   std::map<std::tuple<uint32_t, CallContext, std::string>, OriginId> Numbers;
 };

@@ -17,6 +17,9 @@
 
 namespace tp {
 
+/// Behind them are the stream's words.
+inline constexpr uint32_t StreamDescriptorBytes = 16;
+
 /// What a pop of an empty stream gives.
 inline constexpr uint32_t EmptyStreamValue = 0xFFFFFFFF;
 
@@ -38,7 +41,7 @@ inline uint32_t streamWord(StreamMemory &Memory, uint32_t Descriptor,
   uint32_t Capacity = Memory.load(Descriptor + 8);
   if (!std::has_single_bit(Capacity))
     Memory.reject();
-  return Descriptor + 16 + (Index & (Capacity - 1)) * 4;
+  return Descriptor + StreamDescriptorBytes + (Index & (Capacity - 1)) * 4;
 }
 
 } // namespace tp

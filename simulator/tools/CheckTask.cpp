@@ -10,6 +10,7 @@
 #include "simulator/check/CombinedChecks.h"
 #include "simulator/check/MemoryChecks.h"
 #include "simulator/check/race/RaceChecks.h"
+#include "simulator/tools/LaunchParts.h"
 #include "simulator/tools/OutputFile.h"
 
 #include "llvm/Support/WithColor.h"
@@ -27,8 +28,17 @@ struct CheckTask::Implementation {
                  RunSetup &Loaded, Suppressions Suppressed)
       : Request(Request), Loaded(Loaded), Suppressed(std::move(Suppressed)),
         Names(Loaded.Elf), Found(Loaded.Elf, Chip, this->Suppressed, errs()),
-        Program{Loaded.Elf, Names, Found, 0, 0, readCheckedGlobals(Loaded.Elf),
-                {}} {}
+        Program{Loaded.Elf,
+                Names,
+                Found,
+                0,
+                0,
+                readCheckedGlobals(Loaded.Elf),
+                launchParts(Loaded),
+                {}} {
+    for (const LaunchPart &Part : Program.Launch)
+      Names.add(Part);
+  }
 
   const Options &Request;
   RunSetup &Loaded;
@@ -40,24 +50,8 @@ struct CheckTask::Implementation {
   std::unique_ptr<RaceChecks> OfRaces;
   std::unique_ptr<MemoryAndRaceChecks> OfBoth;
 
-  void nameLaunch();
   void prepareHeap();
 };
-
-/// Names what the launch block refers to.
-void CheckTask::Implementation::nameLaunch() {
-  const LaunchBlock &Block = Loaded.Block;
-  if (Block.Framebuffer)
-    Names.add(Block.Framebuffer, uint64_t(Block.Width) * Block.Height * 4,
-              "the framebuffer");
-  if (Block.RayCounts)
-    Names.add(Block.RayCounts, uint64_t(Loaded.ThreadCount) * 4,
-              "the ray counts");
-  if (Block.WorkCounter)
-    Names.add(Block.WorkCounter, 4, "the work counter");
-  if (Block.Arguments)
-    Names.add(Block.Arguments, (uint64_t(Block.ArgumentCount) + 1) * 4, "argv");
-}
 
 /// Asks the program's heap, if it has one, for room behind blocks, and to keep
 /// what is given back for a while.
@@ -100,7 +94,6 @@ CheckTask::start(const Options &Request, const ChipConfig &Chip,
     Checks.OfMemory = std::make_unique<MemoryChecks>(Wanted, Checks.Program);
   if (isWanted("race"))
     Checks.OfRaces = std::make_unique<RaceChecks>(Checks.Program, Chip);
-  Checks.nameLaunch();
   Checks.prepareHeap();
   ExecutionChecks *All = Checks.OfMemory.get();
   if (Checks.OfMemory && Checks.OfRaces) {

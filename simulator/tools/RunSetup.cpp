@@ -6,6 +6,8 @@
 
 #include "simulator/tools/RunSetup.h"
 
+#include "simulator/check/MemoryNames.h"
+
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Process.h"
 #include "llvm/Support/WithColor.h"
@@ -138,6 +140,8 @@ Expected<std::unique_ptr<RunSetup>> setUp(const Options &Request,
   append_range(ToLaunch.Arguments, Request.ProgramArguments);
   ToLaunch.SceneToRender = Result->Source ? &*Result->Source : nullptr;
   ToLaunch.Rendering = Request.Rendering;
+  if (is_contained(Request.Checkers, "memory"))
+    ToLaunch.Rendering.PaddingBytes = LaunchPaddingBytes;
   ToLaunch.ThreadCount = Result->ThreadCount = Chip.threadCount();
   Expected<LaunchBlock> Block =
       setUpProgram(Result->Elf, ToLaunch, Result->Global, Result->Launch);

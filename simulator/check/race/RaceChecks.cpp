@@ -9,7 +9,7 @@
 #include "simulator/functional/FunctionalText.h"
 #include "simulator/loader/ElfProgram.h"
 
-#include <algorithm>
+#include <tuple>
 
 namespace tp {
 
@@ -37,7 +37,7 @@ std::string RaceChecks::error() const {
 std::vector<FunctionalSlot> RaceChecks::decode(const Program &Text,
                                                bool FlushToZero) {
   return decodeWithChecks<RaceChecks>(Text, FlushToZero,
-                                      Text.stackLimit() != 0);
+                                      /*WatchesStack=*/false);
 }
 
 void RaceChecks::output(FunctionalThread &T, uint32_t Pc, uint32_t Address,
@@ -70,10 +70,15 @@ static const char *describe(AccessKind Kind) {
   __builtin_unreachable();
 }
 
-ReportSide RaceChecks::side(const RacingAccess &Access) const {
+CodePlace RaceChecks::place(const RacingAccess &Access) const {
   const AccessPlace Place = Sites.place(Access.Site);
+  return {Access.Thread, Place.Pc, Place.Context};
+}
+
+ReportSide RaceChecks::side(const RacingAccess &Access) const {
+  const CodePlace Place = place(Access);
   return {describe(Access.Kind), Access.Thread,
-          Checked.Contexts.stackAt(Place.Pc, Place.Context)};
+          Checked.Contexts.stackAt(Place.Pc, Place.Calls)};
 }
 
 static bool writes(const RacingAccess &Access) {
@@ -81,26 +86,25 @@ static bool writes(const RacingAccess &Access) {
          Access.Kind == AccessKind::AtomicWrite;
 }
 
-bool RaceChecks::isNews(const Race &R) {
-  const uint32_t Earlier = Sites.place(R.Earlier.Site).Pc;
-  const uint32_t Later = Sites.place(R.Later.Site).Pc;
+std::string RaceChecks::causeOf(const Race &R) {
   // Which of the two comes first may differ from race to race.
-  auto [Low, High] = std::minmax(Earlier, Later);
-  if (!Checked.Found.isNew(Kind, Low, High))
-    return false;
-  const bool LowWrites = writes(Low == Earlier ? R.Earlier : R.Later);
-  const std::vector<SourceFrame> &Writer =
-      Checked.Found.frames(LowWrites ? Low : High);
-  const std::vector<SourceFrame> &Other =
-      Checked.Found.frames(LowWrites ? High : Low);
-  if (Writer.empty() || Other.empty())
-    return true;
-  return Causes.insert({Writer[0].File, Writer[0].Line, Other[0].Function})
-      .second;
+  const bool LaterWrites =
+      writes(R.Later) &&
+      (!writes(R.Earlier) || place(R.Later).Pc <= place(R.Earlier).Pc);
+  const auto &[Writer, Other] =
+      LaterWrites ? std::tie(R.Later, R.Earlier) : std::tie(R.Earlier, R.Later);
+  const std::vector<SourceFrame> &WriterFrames =
+      Checked.Found.frames(place(Writer).Pc);
+  const std::vector<SourceFrame> &OtherFrames =
+      Checked.Found.frames(place(Other).Pc);
+  if (WriterFrames.empty() || OtherFrames.empty())
+    return "";
+  return WriterFrames[0].File + ':' + std::to_string(WriterFrames[0].Line) +
+         '|' + OtherFrames[0].Function;
 }
 
 void RaceChecks::report(const Race &R) {
-  if (!isNews(R))
+  if (!Checked.Found.isNew(Kind, place(R.Later), place(R.Earlier)))
     return;
   Report Result;
   Result.Check = "race";
@@ -112,6 +116,7 @@ void RaceChecks::report(const Race &R) {
   Result.Bytes = 1;
   Result.Object = Checked.Names.describe(R.Address).value_or("");
   Result.Sides = {side(R.Later), side(R.Earlier)};
+  Result.Cause = causeOf(R);
   Checked.Found.add(Result);
 }
 

@@ -12,9 +12,7 @@
 #include "simulator/check/race/RaceDetector.h"
 #include "simulator/functional/Checks.h"
 
-#include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace tp {
@@ -149,10 +147,11 @@ private:
   void notePartOfWord(const FunctionalThread &T, uint32_t Pc, uint32_t Address,
                       uint32_t Changed);
   void report(const Race &R);
-  /// Whether nothing has been reported yet of the line that writes and the
-  /// function of the other side: a barrier that is missing gives a race for
-  /// each pair of accesses around it.
-  bool isNews(const Race &R);
+  /// The line that writes and the function of the other side, as far as they
+  /// are known: a barrier that is missing gives a race for each pair of
+  /// accesses around it.
+  std::string causeOf(const Race &R);
+  CodePlace place(const RacingAccess &Access) const;
   ReportSide side(const RacingAccess &Access) const;
 
   CheckedProgram &Checked;
@@ -162,7 +161,6 @@ private:
   const AddressSpace *Space = nullptr;
   std::vector<ThreadCallStack> Stacks;
   AccessSites Sites;
-  std::set<std::tuple<std::string, unsigned, std::string>> Causes;
   RaceDetector Detector;
 };
 
