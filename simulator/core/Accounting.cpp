@@ -79,9 +79,9 @@ Statistics summarize(std::span<const Thread> Threads,
   Sum.Pcs.resize(Opcodes.size());
   for (const TmRunnerState *Counter : Counters) {
     for (size_t I = 0; I != Opcodes.size(); ++I) {
-      Sum.Pcs[I].Executed += Counter->ExecutedAt[I];
-      Sum.Pcs[I].Global += Counter->GlobalAt[I];
-      Sum.GlobalAccesses += Counter->GlobalAt[I];
+      Sum.Pcs[I].Executed += Counter->IssuedAt[I].Executed;
+      Sum.Pcs[I].Global += Counter->IssuedAt[I].Global;
+      Sum.GlobalAccesses += Counter->IssuedAt[I].Global;
       for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
         Sum.Pcs[I].Lost[Reason] += Counter->LostAt[I][Reason];
     }

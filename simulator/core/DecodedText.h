@@ -50,7 +50,8 @@ std::vector<Slot<Word>> decodeText(const Program &Text, const ChipConfig &Chip,
   uint32_t Fetches = Text.textBegin() / 4;
   for (const Instruction &Decoded : Text.instructions()) {
     auto Number = uint32_t(Slots.size());
-    Slot<Word> S{0, handlerOf<Word, FlushToZero>(Text, Number), Decoded, 0};
+    Slot<Word> S{0, handlerOf<Word, FlushToZero>(Text, Number), Decoded, 0,
+                 Number};
     bool IsMessage = Decoded.Op != IllegalOpcode && !takesTime(Decoded.Op);
     if (Decoded.Op != IllegalOpcode && !IsMessage) {
       uint32_t Bank = Fetches % Chip.IcacheBanks;
@@ -62,7 +63,8 @@ std::vector<Slot<Word>> decodeText(const Program &Text, const ChipConfig &Chip,
     if (!IsMessage)
       ++Fetches;
   }
-  Slots.push_back({0, Handlers<Word, Mode>::endOfText(), {}, 0});
+  Slots.push_back(
+      {0, Handlers<Word, Mode>::endOfText(), {}, 0, uint32_t(Slots.size())});
   return Slots;
 }
 

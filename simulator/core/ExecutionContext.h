@@ -41,9 +41,11 @@ public:
     StoreBufferFull,
   };
 
+  /// \p Counts are those of the instruction, at \p Word of the text.
   ExecutionContext(Thread &T, TmRunnerState &Runner, uint32_t Word,
-                   uint64_t Cycle, uint8_t Destination, ReadyWord Result)
-      : T(T), Runner(Runner), Word(Word), Cycle(Cycle),
+                   IssueCounts &Counts, uint64_t Cycle, uint8_t Destination,
+                   ReadyWord Result)
+      : T(T), Runner(Runner), Word(Word), Counts(Counts), Cycle(Cycle),
         Destination(Destination),
         ResultReady(ReadyWord(Cycle << ready::CycleShift) + Result) {}
 
@@ -98,7 +100,7 @@ public:
       }
       std::memcpy(&Value, &Bits, sizeof(T));
     }
-    ++Runner.GlobalAt[Word];
+    ++Counts.Global;
     ResultReady = Runner.Memory ? Runner.requestLoad(this->T, Word, Destination,
                                                      Op, Cycle, At, sizeof(T))
                                 : readyAfter(Runner.Chip.MemoryLatency, true);
@@ -119,7 +121,7 @@ public:
       Kind = Outcome::StoreBufferFull;
       return;
     }
-    ++Runner.GlobalAt[Word];
+    ++Counts.Global;
     GlobalAccess &Access = log(GlobalAccess::Store, At, Value);
     Access.Bytes = sizeof(T);
     Runner.OwnWords |= Runner.wordBit(At);
@@ -241,7 +243,7 @@ private:
   }
 
   void deferToMemory(uint32_t At) {
-    ++Runner.GlobalAt[Word];
+    ++Counts.Global;
     defer(Runner.Memory
               ? Runner.requestAtomic(T, Word, Destination, Op, Cycle, At)
               : readyAfter(Runner.Chip.MemoryLatency, true));
@@ -274,6 +276,7 @@ private:
   TmRunnerState &Runner;
   /// Of the text.
   const uint32_t Word;
+  IssueCounts &Counts;
   const uint64_t Cycle;
   const uint8_t Destination;
   ReadyWord ResultReady;

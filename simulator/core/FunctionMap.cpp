@@ -11,9 +11,6 @@
 
 namespace tp {
 
-/// The register that calls leave the address to come back to in.
-static constexpr uint8_t LinkRegister = 31;
-
 /// The word to which the instruction in \p Word goes by its immediate, if it
 /// is one of the text.
 static std::optional<uint32_t> targetOf(std::span<const Instruction> Text,

@@ -70,7 +70,7 @@ private:
   }
 
   static uint32_t pcOf(const Slot<Word> *S, const TmRunner<Word> *R) {
-    return R->Chip.TextBegin + wordOf(S, R) * 4;
+    return R->Chip.TextBegin + S->Number * 4;
   }
 
   template <Opcode Op, bool IsObserved>
@@ -88,7 +88,8 @@ private:
 
     uint8_t Destination = S->Instruction.Destination;
     Instruction Run(S->Instruction, T->Registers.data());
-    Context C(*T, *R, wordOf(S, R), Cycle, Destination, S->Result);
+    IssueCounts &Counts = R->IssuedAt[S->Number];
+    Context C(*T, *R, S->Number, Counts, Cycle, Destination, S->Result);
     if constexpr (IsObserved)
       announceIssue(T, S, Cycle, R);
     // Where most of the time goes; observed instructions need not be as fast.
@@ -107,7 +108,7 @@ private:
       TP_TAIL_CALL waitForStoreBuffer(TP_HANDLER_ARGUMENTS);
 
     Free[Cycle] = Used;
-    ++R->ExecutedAt[wordOf(S, R)];
+    ++Counts.Executed;
     if constexpr (Instruction::HasDestination) {
       if (!C.keepsDestination()) {
         T->Ready[Destination] = C.resultReady();
@@ -117,13 +118,13 @@ private:
     }
     ++Cycle;
     if constexpr (IsObserved)
-      recordIssue(T, R, wordOf(S, R), Cycle, C);
+      recordIssue(T, R, S->Number, Cycle, C);
     if (C.outcome() == Outcome::Leave) {
       T->Resume = S + 1;
       return;
     }
     if (C.outcome() == Outcome::Branch) {
-      uint32_t BranchWord = wordOf(S, R);
+      uint32_t BranchWord = S->Number;
       S = R->Slots + C.targetWord();
       if (R->Chip.BranchLatency != 1) [[unlikely]] {
         T->LastWord = BranchWord;
@@ -140,7 +141,7 @@ private:
                                               uint64_t Cycle,
                                               TmRunner<Word> *R) {
     if (R->Issues)
-      R->Issues->issuing(*T, wordOf(S, R), R->Epoch + Cycle, *R);
+      R->Issues->issuing(*T, S->Number, R->Epoch + Cycle, *R);
   }
 
   template <class Outcome>
@@ -177,7 +178,8 @@ private:
         isUnknownBefore(Latest)) [[unlikely]]
       TP_TAIL_CALL waitForData(TP_HANDLER_ARGUMENTS);
     Instruction Run(S->Instruction, T->Registers.data());
-    ExecutionContext<Op, Mode> C(*T, *R, wordOf(S, R), Cycle,
+    uint32_t Number = S->Number;
+    ExecutionContext<Op, Mode> C(*T, *R, Number, R->IssuedAt[Number], Cycle,
                                  S->Instruction.Destination, S->Result);
     Run.run(C);
     ++S;
@@ -206,7 +208,7 @@ private:
   }
 
   __attribute__((preserve_none)) static void checkLine(TP_HANDLER_PARAMETERS) {
-    uint32_t Number = wordOf(S, R);
+    uint32_t Number = S->Number;
     if (T->Line != R->LineOf[Number]) [[unlikely]]
       TP_TAIL_CALL lookUpLine(TP_HANDLER_ARGUMENTS);
     TP_TAIL_CALL R->Fetched[Number](TP_HANDLER_ARGUMENTS);
@@ -216,7 +218,7 @@ private:
   lookUpLine(TP_HANDLER_PARAMETERS) {
     if (Cycle >= R->Limit)
       return waiting::leave(T, S, Cycle, R);
-    uint32_t Number = wordOf(S, R);
+    uint32_t Number = S->Number;
     uint64_t Now = R->Epoch + Cycle;
     T->Line = R->LineOf[Number];
     uint64_t There = R->Icache->lookUp(T->Line, Now);
@@ -260,7 +262,7 @@ private:
       return waiting::suspend(T, S, Cycle, R, Awaited::StoreEntry,
                               S->Instruction.Op);
     uint64_t Lost = FreeFrom - (R->Epoch + Cycle);
-    waiting::chargeProducer(T, wordOf(S, R), R, Loss::StoreBuffer,
+    waiting::chargeProducer(T, S->Number, R, Loss::StoreBuffer,
                             S->Instruction.Op, Lost);
     Cycle += Lost;
     if (Cycle >= R->Limit)
@@ -277,7 +279,7 @@ private:
         break;
       ++((Used & R->IcacheGuards) != 0 ? Fetches : Units);
     }
-    LossCounts &LostHere = R->LostAt[wordOf(S, R)];
+    LossCounts &LostHere = R->LostAt[S->Number];
     for (auto [Reason, Cycles] : {std::pair(Loss::IcacheConflict, Fetches),
                                   std::pair(Loss::UnitConflict, Units)}) {
       T->Lost[unsigned(Reason)] += Cycles;
@@ -302,7 +304,7 @@ private:
   [[gnu::noinline]] static void block(Thread *T, const Slot<Word> *S,
                                       uint64_t Cycle, TmRunner<Word> *R,
                                       Opcode Producer) {
-    waiting::chargeProducer(T, wordOf(S, R), R, Loss::Memory, Producer,
+    waiting::chargeProducer(T, S->Number, R, Loss::Memory, Producer,
                             R->End - Cycle);
     waiting::leave(T, S, R->End, R);
   }

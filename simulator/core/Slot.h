@@ -53,13 +53,9 @@ template <class Word> struct Slot {
   tp::Instruction Instruction;
   /// Ready word of the result, to which the cycle of issue is added.
   ReadyWord Result;
+  /// Of the instruction in the text.
+  uint32_t Number;
 };
-
-/// The number of an instruction's word in the text.
-template <class Word>
-uint32_t wordOf(const Slot<Word> *S, const TmRunner<Word> *R) {
-  return uint32_t(S - R->Slots);
-}
 
 /// The ready word of the source that is ready last of the first \p Count.
 template <unsigned Count, class Word>

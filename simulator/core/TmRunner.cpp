@@ -26,16 +26,17 @@ void TmRunnerState::growLog() {
   Log.reserve(std::max<size_t>(256, 2 * Log.capacity()));
 }
 
-template <class Count>
-static void moveCounts(std::vector<Count> &From, std::vector<Count> &To) {
+static void moveCounts(std::vector<uint64_t> &From, std::vector<uint64_t> &To) {
   To.resize(std::max(From.size(), To.size()));
   for (size_t I = 0; I != From.size(); ++I)
     To[I] += std::exchange(From[I], 0);
 }
 
 void TmRunnerState::moveCountersTo(TmRunnerState &Other) {
-  moveCounts(ExecutedAt, Other.ExecutedAt);
-  moveCounts(GlobalAt, Other.GlobalAt);
+  for (size_t I = 0; I != IssuedAt.size(); ++I) {
+    Other.IssuedAt[I].Executed += std::exchange(IssuedAt[I].Executed, 0);
+    Other.IssuedAt[I].Global += std::exchange(IssuedAt[I].Global, 0);
+  }
   for (size_t I = 0; I != LostAt.size(); ++I)
     for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
       Other.LostAt[I][Reason] += std::exchange(LostAt[I][Reason], 0);

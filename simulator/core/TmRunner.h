@@ -32,6 +32,13 @@ struct ChipContext : AddressSpace {
   uint32_t BranchLatency = 1;
 };
 
+/// How often an instruction of the text was executed, and accessed global
+/// memory.
+struct IssueCounts {
+  uint64_t Executed = 0;
+  uint64_t Global = 0;
+};
+
 /// The part of a host thread's working state that does not depend on the width
 /// of the resource word: where it is, its log, and what it counted.
 struct TmRunnerState {
@@ -86,10 +93,8 @@ struct TmRunnerState {
   uint32_t Arrived = 0;
   uint32_t Halted = 0;
 
-  /// Instructions issued and thread-cycles lost at each word of the text.
-  std::vector<uint64_t> ExecutedAt;
-  /// Accesses to global memory likewise.
-  std::vector<uint64_t> GlobalAt;
+  /// What was issued, and thread-cycles lost, at each word of the text.
+  std::vector<IssueCounts> IssuedAt;
   std::vector<LossCounts> LostAt;
   std::array<uint64_t, NumOpcodes> DataStall{};
   /// What generated code has counted since CodeGenerator::fold(), and where

@@ -49,7 +49,7 @@ void chargeSources(Thread *T, const Slot<Word> *S, TmRunner<Word> *R,
           Level = std::max(Level, T->Requests->request(Source).level());
     Reason = lossOf(Level);
   }
-  chargeProducer(T, wordOf(S, R), R, Reason, ready::producerOf(Latest), Cycles);
+  chargeProducer(T, S->Number, R, Reason, ready::producerOf(Latest), Cycles);
 }
 
 /// The thread goes on with \p S in relative cycle \p Cycle.
@@ -65,7 +65,7 @@ template <class Word>
 void suspend(Thread *T, const Slot<Word> *S, uint64_t Cycle, TmRunner<Word> *R,
              Awaited What, Opcode Producer) {
   T->Resume = S;
-  T->LastWord = wordOf(S, R);
+  T->LastWord = S->Number;
   T->LastProducer = Producer;
   T->Requests->suspend(What, R->Epoch + Cycle);
   R->NextCycle = NeverCycle;
@@ -76,7 +76,7 @@ template <class Word>
 void missLine(Thread *T, const Slot<Word> *S, uint64_t Cycle,
               TmRunner<Word> *R) {
   T->Resume = S;
-  T->LastWord = wordOf(S, R);
+  T->LastWord = S->Number;
   R->Icache->addMiss({R->Epoch + Cycle, T->Line, priorityOf(R->OwnOrder),
                       uint16_t(T->Number % R->Chip.Chip->TpsPerTm)});
   if (T->Requests)
@@ -110,7 +110,7 @@ template <class Word> uint64_t resume(Thread *T, TmRunner<Word> *R) {
     if (Requests.oldestStore().FreeFrom == ThreadRequests::NeverFree)
       return NeverCycle;
     To = std::max(From, Requests.oldestStore().FreeFrom);
-    chargeProducer(T, wordOf(S, R), R, Loss::StoreBuffer, S->Instruction.Op,
+    chargeProducer(T, S->Number, R, Loss::StoreBuffer, S->Instruction.Op,
                    To - From);
     break;
   case Awaited::AllStores:

@@ -43,6 +43,8 @@ public:
       : SharedStreamMemory(Space, Descriptor), Announce(std::move(Announce)) {}
 
   void store(uint32_t Address, uint32_t Value) override {
+    if (!check(Address))
+      return;
     Announce(Address);
     SharedStreamMemory::store(Address, Value);
   }

@@ -495,8 +495,8 @@ Progress WindowEngine<Word, FlushToZero>::progress() const {
   foldCodeCounts();
   Progress Result{WindowEnd, 0, Halted};
   for (const TmRunnerState *State : Counters)
-    for (uint64_t Count : State->ExecutedAt)
-      Result.Instructions += Count;
+    for (const IssueCounts &Counts : State->IssuedAt)
+      Result.Instructions += Counts.Executed;
   return Result;
 }
 
@@ -562,8 +562,7 @@ void WindowEngine<Word, FlushToZero>::prepareHostThreads() {
     R->Free.resize(Chip.ArbitrationWindow + 1);
     R->OwnAccessesOf.resize(Hierarchy ? Chip.TpsPerTm : 0);
     R->L1Latency = Chip.L1 ? Chip.L1->Latency : 0;
-    R->ExecutedAt.resize(Slots.size());
-    R->GlobalAt.resize(Slots.size());
+    R->IssuedAt.resize(Slots.size());
     if (Recorder)
       R->Record = &Recorder->addPart();
     R->LostAt.resize(Slots.size());
@@ -586,8 +585,7 @@ RunResult WindowEngine<Word, FlushToZero>::run(const RunLimits &Limits) {
     R->Issues = Issues;
   if (Recorder && !Recorder->hasBegun())
     for (const Thread &T : Threads)
-      Recorder->begin(T, uint32_t(static_cast<const Slot<Word> *>(T.Resume) -
-                                  Slots.data()));
+      Recorder->begin(T, nextWord(T));
   uint64_t MaxCycles = Limits.MaxCycles ? Limits.MaxCycles : NeverCycle;
   uint64_t PauseCycle = pauseCycle(Limits);
   uint64_t PassesBefore = countPasses(Limits.PauseMarkers);

@@ -85,15 +85,13 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A, Thread &T) {
 template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::serializeCounters(Archive &A) {
   TmRunnerState Sum;
-  Sum.ExecutedAt.resize(Slots.size());
-  Sum.GlobalAt.resize(Slots.size());
+  Sum.IssuedAt.resize(Slots.size());
   Sum.LostAt.resize(Slots.size());
   for (std::unique_ptr<Runner> &R : Runners)
     R->moveCountersTo(Sum);
-  A(Sum.ExecutedAt);
+  A(Sum.IssuedAt);
   A(Sum.LostAt);
   A(Sum.DataStall);
-  A(Sum.GlobalAt);
   A(Sum.Markers);
   Sum.moveCountersTo(*Runners[0]);
 }
@@ -118,8 +116,6 @@ void WindowEngine<Word, FlushToZero>::serialize(Archive &A) {
   if (A.isRestoring()) {
     Final.reset();
     FirstTrap.reset();
-    for (std::unique_ptr<Runner> &R : Runners)
-      R->FirstTrap.reset();
     for (std::unique_ptr<Runner> &R : Runners)
       R->FirstTrap.reset();
   }

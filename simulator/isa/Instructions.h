@@ -30,6 +30,8 @@ namespace tp {
 
 /// The integer register that the calling convention makes the stack pointer.
 inline constexpr uint8_t StackPointerRegister = 29;
+/// The integer register that calls leave the address to come back to in.
+inline constexpr uint8_t LinkRegister = 31;
 /// Number of integer registers, and of float registers.
 inline constexpr unsigned NumIntegerRegisters = 32;
 /// A register number counts the integer registers from 0 and the float

@@ -177,7 +177,7 @@ void Jit::look(std::span<const TmRunnerState *const> Counters) {
   std::vector<uint64_t> Executed(NumWords), Interpreted(NumWords);
   for (const TmRunnerState *Counter : Counters)
     for (size_t Word = 0; Word != NumWords; ++Word)
-      Executed[Word] += Counter->ExecutedAt[Word];
+      Executed[Word] += Counter->IssuedAt[Word].Executed;
   uint64_t HotCount = Options.EverythingAtOnce ? 0 : Options.HotCount;
   std::vector<uint64_t> Now(NumWords);
   for (size_t Word = 0; Word != NumWords; ++Word) {
@@ -200,7 +200,7 @@ void Jit::fold(TmRunnerState &Runner) {
     for (uint32_t Step = 0; Step != Exit->Executed; ++Step) {
       uint32_t Word = Code->Steps[Step].Word;
       if (takesTime(Text[Word].Op)) {
-        Runner.ExecutedAt[Word] += Times;
+        Runner.IssuedAt[Word].Executed += Times;
         Folded[Word] += Times;
       }
     }

@@ -31,8 +31,8 @@ step(Thread *T, TmRunnerState *Runner, uint64_t Cycle,
   static_assert(unsigned(Context::Outcome::Next) == StepNext &&
                 unsigned(Context::Outcome::Branch) == StepBranch);
   Body<Op> Run(Operands.Decoded, Operands.Sources);
-  Context C(*T, *Runner, Operands.Word, Cycle, Operands.Decoded.Destination,
-            Operands.Result);
+  Context C(*T, *Runner, Operands.Word, Runner->IssuedAt[Operands.Word], Cycle,
+            Operands.Decoded.Destination, Operands.Result);
   Run.run(C);
   Result->Value = Run.result();
   Result->Ready = C.resultReady();

@@ -20,7 +20,7 @@ using namespace llvm;
 namespace tp {
 
 /// The last character is the version of the format.
-static constexpr StringRef Magic = "TPCHKPT1";
+static constexpr StringRef Magic = "TPCHKPT2";
 
 namespace {
 
