@@ -220,11 +220,22 @@ private:
 
   void writeOpcodes() {
     heading("instructions");
-    ArrayRef<ComparedOpcode> Shown = ArrayRef(Runs.Opcodes).take_front(Rows);
-    for (const ComparedOpcode &Opcode : Shown)
-      if (Opcode.change() != 0)
+    ComparedOpcode Others;
+    size_t NumOthers = 0, NumShown = 0;
+    for (const ComparedOpcode &Opcode : Runs.Opcodes) {
+      if (NumShown != Rows && Opcode.change() != 0) {
         countRow(Opcode.Name, Opcode.Before, Opcode.After,
                  double(Opcode.Before));
+        ++NumShown;
+        continue;
+      }
+      Others.Before += Opcode.Before;
+      Others.After += Opcode.After;
+      ++NumOthers;
+    }
+    if (NumOthers != 0)
+      countRow(formatv("({0} others)", NumOthers).str(), Others.Before,
+               Others.After, double(Others.Before));
     countRow("all", Runs.Counts.Before[0], Runs.Counts.After[0],
              double(Runs.Counts.Before[0]));
   }

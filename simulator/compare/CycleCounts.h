@@ -29,11 +29,10 @@ inline const char *cycleUseName(unsigned Use) {
 /// The entry of a loss.
 constexpr unsigned useOf(Loss Reason) { return 1 + unsigned(Reason); }
 
-/// Adds to each entry \p Factor times that of \p Other.
-inline void add(CycleCounts &Counts, const CycleCounts &Other,
-                int64_t Factor = 1) {
+/// Adds each entry of \p Other.
+inline void add(CycleCounts &Counts, const CycleCounts &Other) {
   for (unsigned Use = 0; Use != NumCycleUses; ++Use)
-    Counts[Use] += Factor * Other[Use];
+    Counts[Use] += Other[Use];
 }
 
 /// All thread-cycles.

@@ -33,11 +33,21 @@ static std::vector<SourceLine> linesOf(const Profile &Data) {
 }
 
 static void addFigures(const MemoryBehaviour &Memory, ComparedRun &Run) {
-  for (unsigned Level = 0; Level != NumServedBy; ++Level) {
-    const ServedAccesses &Served = Memory.Served[Level];
+  static constexpr struct {
+    const char *Name;
+    ServedBy First;
+    ServedBy Last;
+  } Levels[] = {
+      {"l1", ServedBy::L1, ServedBy::L1},
+      {"l2", ServedBy::L2, ServedBy::L2},
+      {"dram", ServedBy::DramQueue, ServedBy::DramRowConflict},
+      {"memory", ServedBy::Memory, ServedBy::Memory},
+  };
+  for (const auto &[Level, First, Last] : Levels) {
+    ServedAccesses Served = servedBetween(Memory, First, Last);
     if (Served.Accesses == 0)
       continue;
-    std::string Name = levelName(ServedBy(Level));
+    std::string Name = Level;
     Run.Figures.push_back(
         {"served by " + Name, Figure::Count, double(Served.Accesses)});
     Run.Figures.push_back({"cycles to " + Name, Figure::Number,

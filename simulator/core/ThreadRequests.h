@@ -48,11 +48,11 @@ public:
     /// Low bits of the cycle of issue.
     uint32_t IssuedLow = 0;
     /// Of its ticket.
-    uint32_t Number : 25 = 0;
+    uint32_t Number : 24 = 0;
     /// It has gone beyond the L1.
     uint32_t GoneOn : 1 = false;
     /// Who had it, once it is answered.
-    uint32_t LevelBits : 2 = 0;
+    uint32_t LevelBits : 3 = 0;
     uint32_t IsUnanswered : 1 = false;
 
     ServedBy level() const { return ServedBy(LevelBits); }
@@ -162,7 +162,7 @@ private:
   static constexpr uint32_t RegisterMask = (1 << RegisterBits) - 1;
   static constexpr uint32_t LineMark = NumRegisters + 1;
   static_assert(LineMark <= RegisterMask);
-  static_assert(NumServedBy <= 4);
+  static_assert(NumServedBy <= 8);
 
   uint64_t SuspendedAt = 0;
   Awaited Waiting = Awaited::Nothing;

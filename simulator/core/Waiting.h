@@ -19,7 +19,10 @@ constexpr Loss lossOf(ServedBy Level) {
     return Loss::L1;
   case ServedBy::L2:
     return Loss::L2;
-  case ServedBy::Dram:
+  case ServedBy::DramQueue:
+  case ServedBy::DramRowHit:
+  case ServedBy::DramRowMiss:
+  case ServedBy::DramRowConflict:
     return Loss::Dram;
   case ServedBy::Memory:
     return Loss::Memory;

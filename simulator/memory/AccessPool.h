@@ -24,7 +24,8 @@ inline constexpr uint32_t NoIndex = ~uint32_t(0);
 /// An access on its way through a level of memory.
 struct Access {
   /// Of arrival; then of the first attempt to serve it; then, for one that
-  /// waits for a miss, the earliest in which it could be answered.
+  /// waits for a miss, the earliest in which it could be answered, and for one
+  /// that has gone on, the last in which a part was.
   uint64_t Cycle = 0;
   uint32_t Address = 0;
   /// The asker's name for it; NoIndex if nobody waits for an answer.
@@ -40,7 +41,9 @@ struct Access {
   uint16_t Remaining = 0;
   RequestKind Kind = RequestKind::Load;
   /// Whether its bank has tried to serve it.
-  bool Attempted = false;
+  bool Attempted : 1 = false;
+  /// Of the parts that have been answered.
+  ServedBy Level : 7 = ServedBy::L1;
 };
 
 /// The order in which accesses are served that arrive at one place.

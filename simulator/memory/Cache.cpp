@@ -7,6 +7,7 @@
 #include "simulator/memory/Cache.h"
 
 #include <cassert>
+#include <tuple>
 
 namespace tp {
 
@@ -27,13 +28,13 @@ Cache::Cache(const CacheConfig &Config, ServedBy Level, bool DoesAtomics,
 void Cache::arrive(uint32_t Register, uint64_t Cycle, ServedBy From) {
   assert(Cycle > Now && "a sector arrives too late to be exact");
   MissRegister &R = Registers[Register];
-  R.ArrivalCycle = std::max(R.ArrivalCycle, Cycle);
+  std::tie(R.ArrivalCycle, R.Level) =
+      std::max(std::tuple(R.ArrivalCycle, R.Level), std::tuple(Cycle, From));
   if (--R.Remaining != 0)
     return;
-  R.Level = From;
   while (!R.Waiting.isEmpty()) {
     uint32_t Index = R.Waiting.removeFirst(Pool);
-    Client.answer(Index, std::max(R.ArrivalCycle, Pool[Index].Cycle), From);
+    Client.answer(Index, std::max(R.ArrivalCycle, Pool[Index].Cycle), R.Level);
   }
   Fills.push_back({R.ArrivalCycle, R.Sector, Register});
   std::push_heap(Fills.begin(), Fills.end(), later);

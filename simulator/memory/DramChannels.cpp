@@ -40,7 +40,7 @@ void DramChannels::advance(uint32_t Number, uint64_t Limit) {
 
 BurstAnswer DramChannels::burstAnswer(const DramAnswer &Answer) const {
   return {Answer.ReadyCycle + (Answer.IsWrite ? WriteAnswerCycles : 0),
-          uint32_t(Answer.Tag)};
+          uint32_t(Answer.Tag), Answer.Level};
 }
 
 uint64_t DramChannels::nextEvent() const {

@@ -35,6 +35,7 @@ struct BurstRequest {
 struct BurstAnswer {
   uint64_t Cycle;
   uint32_t Tag;
+  ServedBy Level;
 };
 
 /// All channels, with what has been sent to them.

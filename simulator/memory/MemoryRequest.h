@@ -40,15 +40,26 @@ struct MemoryRequest {
   RequestKind Kind;
 };
 
-/// The level that had what was asked for.
+/// The level that had what was asked for, the nearest first. Of what comes in
+/// parts it is that of the last one to come, of several the farthest.
 enum class ServedBy : uint8_t {
   L1,
   L2,
-  Dram,
+  /// The controller of a channel: it took a store, or had the data among those
+  /// to be written.
+  DramQueue,
+  /// A burst of DRAM whose row was open, which found no row open, or another.
+  DramRowHit,
+  DramRowMiss,
+  DramRowConflict,
   /// Memory of fixed latency.
   Memory,
 };
 inline constexpr unsigned NumServedBy = unsigned(ServedBy::Memory) + 1;
+
+constexpr bool isDram(ServedBy Level) {
+  return Level >= ServedBy::DramQueue && Level <= ServedBy::DramRowConflict;
+}
 
 /// The ReadyCycle of an answer that only says that the request has gone beyond
 /// the L1: a second answer follows after a finishWindow(), of this or a later

@@ -23,7 +23,7 @@ struct MissRegister {
   uint32_t Next = NoIndex;
   /// Those whose answer is not known yet.
   AccessList Waiting;
-  /// When the sector arrives, of the parts that are known.
+  /// When the sector arrives, of the parts that are known; and who had it.
   uint64_t ArrivalCycle = 0;
   /// Accesses that joined, the first included.
   uint16_t Joined = 0;

@@ -132,17 +132,17 @@ void TmGroup::sendBursts(uint64_t Cycle, uint32_t Address, uint32_t Bytes,
 
 void TmGroup::receive(const BurstAnswer &Answer) {
   if (L2 && Answer.Tag & RegisterTag) {
-    L2->arrive(Answer.Tag & ~RegisterTag, Answer.Cycle, ServedBy::Dram);
+    L2->arrive(Answer.Tag & ~RegisterTag, Answer.Cycle, Answer.Level);
     return;
   }
   Access &A = Pool[Answer.Tag];
   if (!L2) {
-    answer(Answer.Tag, Answer.Cycle, ServedBy::Dram);
+    answer(Answer.Tag, Answer.Cycle, Answer.Level);
     return;
   }
   A.Cycle = std::max(A.Cycle, Answer.Cycle);
   if (--A.Remaining == 0)
-    answer(Answer.Tag, A.Cycle, ServedBy::Dram);
+    answer(Answer.Tag, A.Cycle, Answer.Level);
 }
 
 void TmGroup::addTo(MemoryStatistics &Sum) const {

@@ -169,8 +169,16 @@ void TmPath::deliver(uint64_t Limit) {
 void TmPath::receive(uint32_t Tag, uint64_t Cycle, ServedBy Level) {
   if (L1 && Tag & RegisterTag)
     L1->arrive(Tag & ~RegisterTag, Cycle, Level);
-  else if (--Pool[Tag].Remaining == 0)
-    answer(Tag, Cycle, Level);
+  else
+    receivePart(Tag, Cycle, Level);
+}
+
+void TmPath::receivePart(uint32_t Index, uint64_t Cycle, ServedBy Level) {
+  Access &A = Pool[Index];
+  A.Level = A.Cycle == Cycle ? std::max<ServedBy>(A.Level, Level) : Level;
+  A.Cycle = Cycle;
+  if (--A.Remaining == 0)
+    answer(Index, Cycle, A.Level);
 }
 
 void TmPath::prefetchObject() const {

@@ -112,6 +112,8 @@ private:
   void sendParts(Access Request);
   /// A part of the answer to what was sent with \p Tag is back.
   void receive(uint32_t Tag, uint64_t Cycle, ServedBy Level);
+  /// Likewise, of an access that has gone on.
+  void receivePart(uint32_t Index, uint64_t Cycle, ServedBy Level);
 
   const uint32_t Granule;
   const uint32_t HeaderBytes;

@@ -31,6 +31,16 @@ ProfileCounts &ProfileCounts::operator+=(const ProfileCounts &Other) {
   return *this;
 }
 
+ServedAccesses servedBetween(const MemoryBehaviour &Memory, ServedBy First,
+                             ServedBy Last) {
+  ServedAccesses Sum;
+  for (unsigned Level = unsigned(First); Level <= unsigned(Last); ++Level) {
+    Sum.Accesses += Memory.Served[Level].Accesses;
+    Sum.Cycles += Memory.Served[Level].Cycles;
+  }
+  return Sum;
+}
+
 ProfileCounts Profile::total() const {
   ProfileCounts Sum;
   for (const ProfileInstruction &Instruction : Instructions)

@@ -36,6 +36,10 @@ struct ProfileCounts {
   bool operator==(const ProfileCounts &) const = default;
 };
 
+/// The accesses that the levels from \p First to \p Last served.
+ServedAccesses servedBetween(const MemoryBehaviour &Memory, ServedBy First,
+                             ServedBy Last);
+
 /// A file of the program's source.
 struct ProfileFile {
   /// As the compiler was told.

@@ -21,8 +21,14 @@ const char *levelName(ServedBy Level) {
     return "l1";
   case ServedBy::L2:
     return "l2";
-  case ServedBy::Dram:
-    return "dram";
+  case ServedBy::DramQueue:
+    return "dram_queue";
+  case ServedBy::DramRowHit:
+    return "dram_row_hit";
+  case ServedBy::DramRowMiss:
+    return "dram_row_miss";
+  case ServedBy::DramRowConflict:
+    return "dram_row_conflict";
   case ServedBy::Memory:
     return "memory";
   }

@@ -160,8 +160,13 @@ static bool fromJSON(const json::Value &From, FileContents &To,
     return false;
   }
   Profile &Data = To.Data;
-  if (const json::Value *Statistics = From.getAsObject()->get("statistics"))
+  if (const json::Value *Statistics = From.getAsObject()->get("statistics")) {
+    if (!Statistics->getAsObject()) {
+      Where.field("statistics").report("expected object");
+      return false;
+    }
     Data.Statistics = formatv("{0}", *Statistics).str();
+  }
   return Map.map("run", Data.Run) && Map.map("files", Data.Files) &&
          Map.map("functions", Data.Functions) &&
          Map.map("frames", Data.Frames) &&

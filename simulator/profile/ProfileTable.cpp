@@ -68,11 +68,8 @@ std::vector<std::string> profileOrderNames() {
   return Names;
 }
 
-static uint64_t servedCycles(const MemoryBehaviour &Memory) {
-  uint64_t Cycles = 0;
-  for (const ServedAccesses &Served : Memory.Served)
-    Cycles += Served.Cycles;
-  return Cycles;
+static ServedAccesses allServed(const MemoryBehaviour &Memory) {
+  return servedBetween(Memory, ServedBy::L1, ServedBy::Memory);
 }
 
 static uint64_t keyOf(const ProfileRow &Row, const ProfileOrder &Order) {
@@ -88,7 +85,7 @@ static uint64_t keyOf(const ProfileRow &Row, const ProfileOrder &Order) {
   case ProfileOrder::Global:
     return Row.Memory.Global;
   case ProfileOrder::Latency:
-    return servedCycles(Row.Memory);
+    return allServed(Row.Memory).Cycles;
   }
   llvm_unreachable("every order has a key");
 }
@@ -156,13 +153,51 @@ std::vector<ProfileRow> profileRows(const Profile &Data, ProfileRows Rows,
 
 namespace {
 
+/// A column with how many of the accesses that came to some levels the first of
+/// them served.
+struct HitRate {
+  const char *Title;
+  const char *Meaning;
+  ServedBy First;
+  ServedBy Last;
+
+  uint64_t hits(const MemoryBehaviour &Memory) const {
+    return Memory.Served[unsigned(First)].Accesses;
+  }
+  uint64_t all(const MemoryBehaviour &Memory) const {
+    return servedBetween(Memory, First, Last).Accesses;
+  }
+};
+
+constexpr HitRate HitRates[] = {
+    {"l1", "percent of them that the L1 served", ServedBy::L1,
+     ServedBy::Memory},
+    {"l2", "percent of the rest that the L2 served", ServedBy::L2,
+     ServedBy::Memory},
+    {"row", "percent of those from DRAM whose row was open",
+     ServedBy::DramRowHit, ServedBy::DramRowConflict},
+};
+
 class TableWriter {
 public:
-  TableWriter(const Profile &Data, raw_ostream &OS)
-      : Whole(std::max<uint64_t>(Data.Run.threadCycles(), 1)), OS(OS) {}
+  /// \p Memory is that of the whole run.
+  TableWriter(const Profile &Data, const MemoryBehaviour &Memory,
+              raw_ostream &OS)
+      : Whole(std::max<uint64_t>(Data.Run.threadCycles(), 1)), OS(OS) {
+    copy_if(HitRates, std::back_inserter(Rates), [&](const HitRate &Rate) {
+      return isDram(Rate.First) ? Rate.all(Memory) : Rate.hits(Memory);
+    });
+  }
 
   void writeHead() {
-    OS << "cycles  issued    data  memory  units  fetch   wait  access  in\n";
+    OS << "access is the mean of cycles from issue to answer of global "
+          "accesses";
+    for (const HitRate &Rate : Rates)
+      OS << ";\n" << Rate.Title << " is the " << Rate.Meaning;
+    OS << "\n\ncycles  issued    data  memory  units  fetch   wait  access";
+    for (const HitRate &Rate : Rates)
+      OS << right_justify(Rate.Title, RateWidth);
+    OS << "  in\n";
   }
 
   void write(const ProfileRow &Row) {
@@ -181,6 +216,8 @@ public:
     share(Sum({Loss::IcacheConflict, Loss::IcacheMiss, Loss::Branch}), 7);
     share(Sum({Loss::Barrier, Loss::Sync, Loss::Sleep}), 7);
     writeLatency(Row.Memory);
+    for (const HitRate &Rate : Rates)
+      writeRate(Rate.hits(Row.Memory), Rate.all(Row.Memory));
     // A path may be very long; its inner end tells most.
     constexpr size_t MaxName = 80;
     bool IsCut = Row.Name.size() > MaxName;
@@ -201,16 +238,25 @@ private:
 
   /// Cycles of a global access, from its issue to its answer.
   void writeLatency(const MemoryBehaviour &Memory) {
-    uint64_t Accesses = 0;
-    for (const ServedAccesses &Served : Memory.Served)
-      Accesses += Served.Accesses;
+    ServedAccesses All = allServed(Memory);
     std::string Text;
-    if (Accesses != 0)
-      Text = formatv("{0:F0}", double(servedCycles(Memory)) / double(Accesses));
+    if (All.Accesses != 0)
+      Text = formatv("{0:F0}", double(All.Cycles) / double(All.Accesses));
     OS << right_justify(Text, 8);
   }
 
+  void writeRate(uint64_t Hits, uint64_t All) {
+    std::string Text;
+    if (All != 0)
+      Text = formatv("{0:F0}", 100 * double(Hits) / double(All));
+    OS << right_justify(Text, RateWidth);
+  }
+
+  static constexpr unsigned RateWidth = 5;
+
   const uint64_t Whole;
+  /// Those of levels that the run has used.
+  SmallVector<HitRate, std::size(HitRates)> Rates;
   raw_ostream &OS;
 };
 
@@ -221,10 +267,11 @@ void writeProfileTable(const Profile &Data, const ProfileTableOptions &Options,
   std::vector<ProfileRow> Rows = profileRows(Data, Options.Rows, Options.Order);
   OS << "profile: percent of " << grouped(Data.Run.threadCycles())
      << " thread-cycles (" << Data.Run.threads() << " threads x "
-     << grouped(Data.Run.Cycles)
-     << " cycles);\naccess is the mean of cycles from issue to answer of "
-        "global accesses\n\n";
-  TableWriter Table(Data, OS);
+     << grouped(Data.Run.Cycles) << " cycles);\n";
+  MemoryBehaviour Memory;
+  for (const ProfileRow &Row : Rows)
+    Memory += Row.Memory;
+  TableWriter Table(Data, Memory, OS);
   Table.writeHead();
   size_t Shown = std::min(Rows.size(), Options.MaxRows);
   for (const ProfileRow &Row : ArrayRef(Rows).take_front(Shown))

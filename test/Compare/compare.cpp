@@ -18,7 +18,7 @@
 // CHECK-NEXT: data +
 // CHECK:      (all)
 // CHECK:      by line
-// CHECK-NEXT: {{.*}}compare.cpp:[[@LINE+40]] part(float)
+// CHECK-NEXT: {{.*}}compare.cpp:[[@LINE+44]] part(float)
 // CHECK-NEXT: data +
 // CHECK:      (all)
 // CHECK:      rcp_s 0 {{.*}}1,280 +1,280 new
@@ -45,6 +45,10 @@
 // RUN:   | FileCheck %s --check-prefix=FEW
 // FEW: by function
 // FEW: {{[0-9]+}} others)
+// FEW: instructions before after change
+// FEW-NEXT: {{[a-z_]+}} {{.*}} +
+// FEW-NEXT: ({{[0-9]+}} others) {{[0-9,]+}} {{[0-9,]+}} +
+// FEW-NEXT: all
 
 // Without timing there are instructions only.
 // RUN: tpsim --functional --quiet %t.elf --stats %t.f.json --per-pc

@@ -16,6 +16,15 @@
 // RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --profile=%t.l2.reference.json --engine reference --host-threads 2
 // RUN: cmp %t.l2.json %t.l2.reference.json
 
+// DRAM alone: it has each access, whose row was open or not.
+// RUN: tpsim --chip trax-32x32 --set tm.count=2 --set l1=none --set l2=none --quiet %t.elf --profile=%t.dram.json --stats %t.stats.json --per-pc --profile-folded %t.folded --profile-speedscope %t.speedscope.json
+// RUN: %python %S/Inputs/check_profile.py %t.dram.json %t.stats.json %t.folded %t.speedscope.json
+// RUN: %python %S/../Simulator/Inputs/check_schema.py %profile_schema %t.dram.json
+// RUN: tpsim --read-profile %t.dram.json | FileCheck %s --check-prefix=ROWS
+// ROWS: row is the percent of those from DRAM whose row was open
+// ROWS: wait access row in
+// ROWS-NEXT: {{[0-9]+}} {{[0-9]+}} sums.cpp:[[#@LINE+26]] mix
+
 // Also of a run that is cut, in which waits are under way; without debug
 // information; and with a trap.
 // RUN: not tpsim --chip trax-32x32 --set tm.count=2 --quiet --max-cycles 777 %t.elf --profile=%t.cut.json --stats %t.stats.json --per-pc --profile-folded %t.folded --profile-speedscope %t.speedscope.json

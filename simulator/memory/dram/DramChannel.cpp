@@ -98,13 +98,12 @@ bool DramChannel::admit(const DramRequest &Request,
     else
       Writes.add(Entry, Place.Bank, OpenRow);
     Answers.push_back({Clock.cycleAtOrAfter(Tick) + Config.ControllerCycles,
-                       Request.Tag, true});
+                       Request.Tag, true, ServedBy::DramQueue});
     Counts.MaxWriteQueue = std::max(Counts.MaxWriteQueue, Writes.size());
   } else {
     if (InWriteQueue) {
       ++Counts.ForwardedReads;
-      answerRead(Request.Cycle, Tick + Config.ClTicks + Config.BurstTicks,
-                 Request.Tag, Answers);
+      answerRead(Request.Cycle, Request.Tag, ServedBy::DramQueue, Answers);
     } else if (Reads.size() == Config.ReadQueueEntries) {
       return false;
     } else {
@@ -197,20 +196,22 @@ uint64_t DramChannel::schedule(std::vector<DramAnswer> &Answers) {
 void DramChannel::issueColumn(uint32_t Bank, std::vector<DramAnswer> &Answers) {
   note(Writing ? DramCommandKind::Write : DramCommandKind::Read, Bank);
   DramQueueEntry Entry = queue().take(Bank, Device.openRow(Bank));
+  ServedBy Level = Entry.Precharges  ? ServedBy::DramRowConflict
+                   : Entry.Activates ? ServedBy::DramRowMiss
+                                     : ServedBy::DramRowHit;
   if (Writing) {
     Device.write(Tick, Bank);
     ++Counts.Writes;
   } else {
     Device.read(Tick, Bank);
     ++Counts.Reads;
-    answerRead(Entry.ArrivalCycle, Tick + Config.ClTicks + Config.BurstTicks,
-               Entry.Tag, Answers);
+    answerRead(Entry.ArrivalCycle, Entry.Tag, Level, Answers);
   }
   ++BurstsOfPhase;
   Counts.BusBusyTicks += Config.BurstTicks;
-  ++(Entry.Precharges  ? Counts.RowConflicts
-     : Entry.Activates ? Counts.RowMisses
-                       : Counts.RowHits);
+  ++(Level == ServedBy::DramRowConflict ? Counts.RowConflicts
+     : Level == ServedBy::DramRowMiss   ? Counts.RowMisses
+                                        : Counts.RowHits);
 }
 
 void DramChannel::issueRow(uint32_t Bank) {
@@ -232,14 +233,15 @@ void DramChannel::issueRow(uint32_t Bank) {
   }
 }
 
-void DramChannel::answerRead(uint64_t ArrivalCycle, uint64_t DataEnd,
-                             uint64_t Tag, std::vector<DramAnswer> &Answers) {
+void DramChannel::answerRead(uint64_t ArrivalCycle, uint64_t Tag,
+                             ServedBy Level, std::vector<DramAnswer> &Answers) {
+  uint64_t DataEnd = Tick + Config.ClTicks + Config.BurstTicks;
   uint64_t Ready = Clock.cycleAtOrAfter(DataEnd) + Config.ControllerCycles;
   uint64_t Latency = Ready - ArrivalCycle;
   Counts.ReadLatencySum += Latency;
   ++Counts.ReadLatency[std::min<size_t>(std::bit_width(Latency),
                                         Counts.ReadLatency.size() - 1)];
-  Answers.push_back({Ready, Tag, false});
+  Answers.push_back({Ready, Tag, false, Level});
 }
 
 void DramChannel::moveTo(uint64_t NewTick) {

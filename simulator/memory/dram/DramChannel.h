@@ -15,6 +15,7 @@
 #define TP_SIMULATOR_MEMORY_DRAM_DRAMCHANNEL_H
 
 #include "simulator/core/Archive.h"
+#include "simulator/memory/MemoryRequest.h"
 #include "simulator/memory/MemoryStatistics.h"
 #include "simulator/memory/dram/DramAddressMapping.h"
 #include "simulator/memory/dram/DramClock.h"
@@ -44,6 +45,7 @@ struct DramAnswer {
   uint64_t ReadyCycle;
   uint64_t Tag;
   bool IsWrite;
+  ServedBy Level;
 };
 
 /// Least cycles of the chip from a read's arrival to its answer.
@@ -113,7 +115,8 @@ private:
   uint64_t earliest(uint32_t Bank) const;
   void issueColumn(uint32_t Bank, std::vector<DramAnswer> &Answers);
   void issueRow(uint32_t Bank);
-  void answerRead(uint64_t ArrivalCycle, uint64_t DataEnd, uint64_t Tag,
+  /// The answer to a read whose command is issued now.
+  void answerRead(uint64_t ArrivalCycle, uint64_t Tag, ServedBy Level,
                   std::vector<DramAnswer> &Answers);
   void moveTo(uint64_t NewTick);
   void note(DramCommandKind Kind, uint32_t Bank = 0, uint32_t Row = 0);

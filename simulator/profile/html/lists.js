@@ -49,16 +49,50 @@ function linesView() {
           ...highlighted(sourceOf(row.file, row.line))) },
       cyclesColumn("cycles", (row) => row.cycles, most),
       countColumn("instructions", (row) => row.counts[0]),
+      latencyColumn(),
+      ...rateColumns(),
       barColumn(most),
     ],
   });
   return { element: table.element, search: (text) => table.search(text) };
 }
 
-/** Accesses that one level served, as a column. */
-function levelColumn(level, label) {
-  const of = (row) => row.served?.[level]?.accesses ?? 0;
-  return countColumn(label, of, "accesses served there");
+function accessesTo(row, level) {
+  return row.served?.[level]?.accesses ?? 0;
+}
+
+/** Which of the levels served anything. */
+function usedLevels() {
+  return levels.filter(({ name }) =>
+    instructions.some((row) => accessesTo(row, name) > 0));
+}
+
+/** How many of the accesses that came to a cache, or to DRAM, were hits. */
+function rateColumns() {
+  const used = usedLevels().map(({ name }) => name);
+  const rows = used.filter((name) => name.startsWith("dram_row"));
+  const rateColumn = (title, meaning, hit, of) => {
+    const rate = (row) => {
+      const all = of.reduce((n, level) => n + accessesTo(row, level), 0);
+      return all === 0 ? null : accessesTo(row, hit) / all;
+    };
+    return { title, meaning, value: (row) => rate(row) ?? -1,
+      cell: (row) => el("td.number", {},
+        rate(row) === null ? "" : percent(rate(row), 1)) };
+  };
+  const columns = ["l1", "l2"].filter((name) => used.includes(name))
+    .map((name) => rateColumn(`${name.toUpperCase()} hits`,
+      "of the accesses that came there", name,
+      used.slice(used.indexOf(name))));
+  return rows.length === 0 ? columns
+    : [...columns, rateColumn("row hits",
+      "of the accesses served by DRAM, those whose row was open",
+      "dram_row_hit", rows)];
+}
+
+function latencyColumn() {
+  return countColumn("mean latency", latencyOf, "cycles from issue to answer",
+    (value) => value.toFixed(0));
 }
 
 function latencyOf(row) {
@@ -73,11 +107,11 @@ function latencyOf(row) {
 
 /** What the levels of memory did as a whole. */
 function levelFigures() {
-  const levels = statistics?.memory ?? {};
+  const memory = statistics?.memory ?? {};
   const rates = { l1: "hit_rate", l2: "hit_rate", dram: "row_hit_rate" };
-  const cards = Object.entries(rates).filter(([level]) => levels[level])
+  const cards = Object.entries(rates).filter(([level]) => memory[level])
     .map(([level, rate]) => {
-      const figures = levels[level];
+      const figures = memory[level];
       const label = uses[useIndex.get(level)].label;
       const requests = level === "dram" ? figures.reads + figures.writes
         : figures.hits + figures.misses + figures.merged;
@@ -95,8 +129,6 @@ function levelFigures() {
 
 function memoryView() {
   const rows = instructions.filter((entry) => entry.global);
-  const present = ["l1", "l2", "dram", "memory"].filter((level) =>
-    rows.some((row) => row.served?.[level]));
   const cycles = (row) =>
     Object.values(row.served ?? {}).reduce((all, s) => all + s.cycles, 0);
   const placed = (row) => {
@@ -118,10 +150,9 @@ function memoryView() {
         "the rest of those executed went to the local store"),
       countColumn("cycles under way", cycles,
         "from issue to answer; threads need not have waited for all of them"),
-      countColumn("mean latency", latencyOf, "cycles from issue to answer",
-        (value) => value.toFixed(0)),
-      ...present.map((level) =>
-        levelColumn(level, uses[useIndex.get(level)].label)),
+      latencyColumn(),
+      ...usedLevels().map(({ name, label, meaning }) =>
+        countColumn(label, (row) => accessesTo(row, name), meaning)),
     ],
   });
   return {

@@ -29,6 +29,19 @@ const uses = [
 const useIndex = new Map(uses.map((use, index) => [use.name, index]));
 const finishedUse = useIndex.get("finished");
 
+/** Who can have what an access asks for. */
+const levels = [
+  ["l1", "L1", "served by the L1"],
+  ["l2", "L2", "served by the L2"],
+  ["dram_row_hit", "DRAM row hits", "from DRAM, whose row was open"],
+  ["dram_row_miss", "DRAM row misses", "from DRAM, where no row was open"],
+  ["dram_row_conflict", "DRAM row conflicts",
+    "from DRAM, where another row was open"],
+  ["dram_queue", "DRAM queue",
+    "stores that a channel took, and reads of what it had yet to write"],
+  ["memory", "memory", "served by memory of fixed latency"],
+].map(([name, label, meaning]) => ({ name, label, meaning }));
+
 function noCounts() {
   return new Array(uses.length).fill(0);
 }
@@ -43,6 +56,15 @@ function countsOf(issued, lost) {
 
 function addTo(counts, more) {
   for (let use = 0; use < uses.length; use += 1) counts[use] += more[use];
+}
+
+/** Adds accesses and their cycles by level. */
+function addServed(served, more) {
+  for (const [level, { accesses, cycles }] of Object.entries(more)) {
+    served[level] ??= { accesses: 0, cycles: 0 };
+    served[level].accesses += accesses;
+    served[level].cycles += cycles;
+  }
 }
 
 function sum(counts) {
@@ -98,7 +120,7 @@ function lineText(file, line) {
 /** Source lines by "file:line", with the instructions of each. */
 const lines = new Table((file, line) => ({
   file, line, counts: noCounts(), cycles: 0, functions: new Set(),
-  instructions: [],
+  instructions: [], served: {},
 }));
 
 /** Functions by number. */
@@ -123,6 +145,7 @@ for (const entry of instructions) {
   line.cycles += entry.cycles;
   line.functions.add(frame.function);
   line.instructions.push(entry);
+  addServed(line.served, entry.served ?? {});
   if (!own.hottest || line.cycles > own.hottest.cycles) own.hottest = line;
 }
 

@@ -34,9 +34,12 @@ function pathElement({ chain, cycles }, of) {
 
 function servedText(entry) {
   if (!entry.served) return "";
-  return Object.entries(entry.served).map(([level, { accesses, cycles }]) =>
-    `${level} ${percent(accesses, entry.global)} at `
-    + `${(cycles / Math.max(1, accesses)).toFixed(0)} cycles`).join(", ");
+  return levels.filter(({ name }) => entry.served[name])
+    .map(({ name, label }) => {
+      const { accesses, cycles } = entry.served[name];
+      return `${label} ${percent(accesses, entry.global)} at `
+        + `${(cycles / Math.max(1, accesses)).toFixed(0)} cycles`;
+    }).join(", ");
 }
 
 function instructionTable(line) {

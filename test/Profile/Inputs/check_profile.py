@@ -67,8 +67,20 @@ def check_instructions(profile, statistics):
             sys.exit(f"{entry['pc']}: more answers than accesses")
 
 
+def check_dram(served, accesses, dram):
+    rows = {level: count for level, count in served.items()
+            if level.startswith("dram_row_")}
+    check("bursts read", sum(rows.values()), dram["reads"])
+    check("bursts in queues", served["dram_queue"],
+          accesses - dram["reads"])
+    for kind, row in (("hit", "hits"), ("miss", "misses"),
+                      ("conflict", "conflicts")):
+        if rows.get(f"dram_row_{kind}", 0) > dram[f"row_{row}"]:
+            sys.exit(f"row {row}: more than DRAM had")
+
+
 def check_memory(profile, statistics):
-    """What the first level served is what it says itself."""
+    """What a level that is asked first served is what it says itself."""
     served = Counter()
     for entry in profile["instructions"]:
         for level, counts_there in entry.get("served", {}).items():
@@ -76,6 +88,9 @@ def check_memory(profile, statistics):
     accesses = sum(entry.get("global", 0) for entry in profile["instructions"])
     if "memory" not in statistics:
         check("served by memory", served, Counter({"memory": accesses}))
+        return
+    if "l1" not in statistics["memory"]:
+        check_dram(served, accesses, statistics["memory"]["dram"])
         return
     first = statistics["memory"]["l1"]
     check("accesses", accesses,

@@ -156,6 +156,36 @@ async function checkMemory(page) {
   const rows = await page.locator("main .table tbody tr").count();
   check(rows === Math.min(300, expected),
     `${rows} accesses to memory instead of ${expected}`);
+  const titles = await texts(page, "main .table thead th");
+  const column = titles.findIndex((title) =>
+    title.toLowerCase().startsWith("dram row hits"));
+  const most = Math.max(...profile.instructions.map((entry) =>
+    entry.served?.dram_row_hit?.accesses ?? 0));
+  const cell = page.locator("main .table tbody td").and(
+    page.locator(`td:nth-child(${column + 1})[title="${
+      most.toLocaleString("en-US")}"]`));
+  check(column > 0 && await cell.count() > 0,
+    `no instruction has ${most} hits in rows of DRAM`);
+}
+
+/** Lines have the rates of hits of their instructions. */
+async function checkLines(page) {
+  await show(page, "lines");
+  const hits = { hit: 0, all: 0 };
+  for (const { served = {} } of profile.instructions)
+    for (const [level, { accesses }] of Object.entries(served)) {
+      if (level === "dram_row_hit") hits.hit += accesses;
+      if (level.startsWith("dram_row_")) hits.all += accesses;
+    }
+  const titles = await texts(page, "main .table thead th");
+  const column = titles.findIndex((title) =>
+    title.toLowerCase().startsWith("row hits"));
+  const rates = (await texts(page,
+    `main .table tbody td:nth-child(${column + 1})`)).filter(Boolean)
+    .map(percentOf);
+  const mean = (hits.hit / hits.all) * 100;
+  check(column > 0 && Math.min(...rates) <= mean
+    && mean <= Math.max(...rates), `rows: ${rates}, in all ${mean} %`);
 }
 
 /** What the rays did is that of the statistics. */
@@ -218,6 +248,7 @@ async function checkAll(page) {
   await checkFunctions(page);
   await checkCalls(page);
   await checkChip(page);
+  await checkLines(page);
   await checkMemory(page);
   await checkRays(page);
   await checkThemes(page);

@@ -90,8 +90,9 @@ TEST(Comparison, ReadsProfiles) {
                {"function": 1, "file": 0, "line": 3, "inlined_into": 0}],
     "instructions": [
       {"pc": "0x00010000", "text": "lw r1, 0(r2)", "frame": 1, "executed": 2,
-       "lost": {}, "global": 2, "served": {"dram": {"accesses": 2,
-       "cycles": 30}}},
+       "lost": {}, "global": 2, "served": {
+       "dram_queue": {"accesses": 1, "cycles": 10},
+       "dram_row_hit": {"accesses": 1, "cycles": 20}}},
       {"pc": "0x00010004", "text": "halt", "frame": 0, "executed": 2,
        "lost": {"dram": 12}}],
     "call_tree": [],

@@ -36,7 +36,8 @@ TEST(RequestOrigins, AnswersCountAtTheirInstructions) {
       "sw", 0, 20, After50)("add", 5, 5, 6)("halt", 0);
   ExecutionRecord Record = record(A);
   EXPECT_EQ(served(Record, 1, ServedBy::L2), (ServedAccesses{1, 20}));
-  EXPECT_EQ(served(Record, 2, ServedBy::Dram), (ServedAccesses{1, 200}));
+  EXPECT_EQ(served(Record, 2, ServedBy::DramRowConflict),
+            (ServedAccesses{1, 200}));
   EXPECT_EQ(served(Record, 3, ServedBy::Memory), (ServedAccesses{1, 50}));
   EXPECT_EQ(served(Record, 4, ServedBy::L2), ServedAccesses());
 }
@@ -54,10 +55,12 @@ TEST(RequestOrigins, OfTwoLoadsToARegisterBothCount) {
   A("lui", 20, DataHigh)("lw", 5, 20, After200)("lw", 5, 20, After20)(
       "lw", 5, 20, After50)("lw", 6, 20, After200)("addi", 6, 6, 1)("halt", 0);
   ExecutionRecord Record = record(A);
-  EXPECT_EQ(served(Record, 1, ServedBy::Dram), (ServedAccesses{1, 200}));
+  EXPECT_EQ(served(Record, 1, ServedBy::DramRowConflict),
+            (ServedAccesses{1, 200}));
   EXPECT_EQ(served(Record, 2, ServedBy::L2), (ServedAccesses{1, 20}));
   EXPECT_EQ(served(Record, 3, ServedBy::Memory), (ServedAccesses{1, 50}));
-  EXPECT_EQ(served(Record, 4, ServedBy::Dram), (ServedAccesses{1, 200}));
+  EXPECT_EQ(served(Record, 4, ServedBy::DramRowConflict),
+            (ServedAccesses{1, 200}));
 }
 
 TEST(RequestOrigins, WhatIsUnderWayAtTheEndIsNotThere) {
@@ -65,7 +68,7 @@ TEST(RequestOrigins, WhatIsUnderWayAtTheEndIsNotThere) {
   A("lui", 20, DataHigh)("lw", 5, 20, After200)("halt", 0);
   ExecutionRecord Record = record(A);
   EXPECT_EQ(Record.Pcs[1].Global, 1u);
-  EXPECT_EQ(served(Record, 1, ServedBy::Dram), ServedAccesses());
+  EXPECT_EQ(served(Record, 1, ServedBy::DramRowConflict), ServedAccesses());
 }
 
 } // namespace

@@ -72,7 +72,7 @@ private:
           {AnsweredLater, Request.Ticket, Request.Tp, ServedBy::L1});
     ServedBy Level = Block < 5    ? ServedBy::L2
                      : Block < 10 ? ServedBy::Memory
-                                  : ServedBy::Dram;
+                                  : ServedBy::DramRowConflict;
     Late.push_back({Start + 10 * Block, Request.Ticket, Request.Tp, Level});
   }
 

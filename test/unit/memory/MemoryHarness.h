@@ -10,6 +10,7 @@
 #include "simulator/memory/MemorySystem.h"
 #include "test/unit/memory/MemoryArchive.h"
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -28,7 +29,7 @@ struct Outcome {
   uint64_t ReadyCycle = 0;
   ServedBy Level = ServedBy::L1;
 
-  bool operator==(const Outcome &) const = default;
+  auto operator<=>(const Outcome &) const = default;
 };
 
 /// By ticket.

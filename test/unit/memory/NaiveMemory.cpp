@@ -118,6 +118,7 @@ void NaiveMemory::arriveShared(uint32_t Number, uint64_t Cycle,
                      : Chip.Dram ? Chip.Dram->BurstBytes
                                  : 1 << 16;
   unsigned *Parts = &PartsLeft.emplace_back(0);
+  auto Latest = std::make_shared<Outcome>();
   uint32_t End = Access.Address + Access.Bytes;
   for (uint32_t Begin = Access.Address; Begin != End;) {
     uint32_t PartEnd = std::min(End, (Begin / Granule + 1) * Granule);
@@ -128,8 +129,9 @@ void NaiveMemory::arriveShared(uint32_t Number, uint64_t Cycle,
     if (Access.Done)
       Part.Done = [=, this](uint64_t Departure, ServedBy Level) {
         auto Done = [=](uint64_t Arrival, ServedBy From) {
+          *Latest = std::max(*Latest, {Arrival, From});
           if (--*Parts == 0)
-            Access.Done(Arrival, From);
+            Access.Done(Latest->ReadyCycle, Latest->Level);
         };
         answerTm(Number, Departure, Sequence,
                  Access.Kind == RequestKind::Store ? 0 : Bytes, Done, Level);
@@ -179,19 +181,21 @@ void NaiveMemory::arriveMemory(uint64_t Cycle, const NaiveAccess &Access,
   uint32_t First = Access.Address / Burst;
   uint32_t Last = (Access.Address + Access.Bytes - 1) / Burst;
   auto Left = std::make_shared<unsigned>(Last - First + 1);
-  auto Latest = std::make_shared<uint64_t>(0);
+  auto Latest = std::make_shared<Outcome>();
   for (uint32_t I = First; I <= Last; ++I)
-    DramArrivals.insert({{Cycle, Source, NextSequence++}, [=, this] {
-                           uint64_t Tag = NextDramTag++;
-                           DramWaiting[Tag] = [=](uint64_t Ready) {
-                             *Latest = std::max(*Latest, Ready + Later);
-                             if (--*Left == 0 && Access.Done)
-                               Access.Done(*Latest, ServedBy::Dram);
-                           };
-                           uint32_t Address = I * Burst;
-                           Channels[Mapping->channelOf(Address)].enqueue(
-                               {Now, Address, Tag, IsWrite});
-                         }});
+    DramArrivals.insert(
+        {{Cycle, Source, NextSequence++}, [=, this] {
+           uint64_t Tag = NextDramTag++;
+           DramWaiting[Tag] = [=](const DramAnswer &Answer) {
+             *Latest =
+                 std::max(*Latest, {Answer.ReadyCycle + Later, Answer.Level});
+             if (--*Left == 0 && Access.Done)
+               Access.Done(Latest->ReadyCycle, Latest->Level);
+           };
+           uint32_t Address = I * Burst;
+           Channels[Mapping->channelOf(Address)].enqueue(
+               {Now, Address, Tag, IsWrite});
+         }});
 }
 
 void NaiveMemory::tickDram() {
@@ -200,7 +204,7 @@ void NaiveMemory::tickDram() {
     std::vector<DramAnswer> Answers;
     Channel.advance(Now + 1, Answers);
     for (const DramAnswer &Answer : Answers)
-      DramWaiting.extract(Answer.Tag).mapped()(Answer.ReadyCycle);
+      DramWaiting.extract(Answer.Tag).mapped()(Answer);
   }
 }
 

@@ -160,7 +160,7 @@ private:
   Agenda Departures, SharedArrivals, Returns, Deliveries;
   std::optional<DramAddressMapping> Mapping;
   std::vector<DramChannel> Channels;
-  std::map<uint64_t, std::function<void(uint64_t)>> DramWaiting;
+  std::map<uint64_t, std::function<void(const DramAnswer &)>> DramWaiting;
   Agenda DramArrivals;
   /// Of all accesses there ever were.
   std::deque<unsigned> PartsLeft;

@@ -282,11 +282,37 @@ TEST(DramPathTest, AloneIsAskedByTheTms) {
   uint32_t Store = M.store(500, A);
   M.run(1000);
   EXPECT_EQ(M.ready(Load), 132u);
-  EXPECT_EQ(M.level(Load), ServedBy::Dram);
+  EXPECT_EQ(M.level(Load), ServedBy::DramRowMiss);
   EXPECT_EQ(M.ready(RowHit), 320u);
+  EXPECT_EQ(M.level(RowHit), ServedBy::DramRowHit);
   // A write is answered as long after its place in the queue as the fastest
   // read.
   EXPECT_EQ(M.ready(Store), 520u);
+  EXPECT_EQ(M.level(Store), ServedBy::DramQueue);
+}
+
+// What is said of each read is what the channel counts.
+TEST(DramPathTest, LevelsAreThoseOfTheChannel) {
+  MemoryHarness M(withDram(smallChip()));
+  std::map<ServedBy, uint64_t> Levels;
+  std::vector<uint32_t> Loads;
+  for (uint32_t I = 0; I != 60; ++I)
+    Loads.push_back(M.load(100 + I * 20, A + I * I % 7 * 0x10000 + I % 3 * 64));
+  M.run(4000);
+  for (uint32_t Load : Loads)
+    ++Levels[M.level(Load)];
+  DramChannelStatistics Sum;
+  for (const DramChannelStatistics &Channel : M.statistics().DramChannels) {
+    Sum.RowHits += Channel.RowHits;
+    Sum.RowMisses += Channel.RowMisses;
+    Sum.RowConflicts += Channel.RowConflicts;
+  }
+  EXPECT_EQ(Levels[ServedBy::DramRowHit], Sum.RowHits);
+  EXPECT_EQ(Levels[ServedBy::DramRowMiss], Sum.RowMisses);
+  EXPECT_EQ(Levels[ServedBy::DramRowConflict], Sum.RowConflicts);
+  EXPECT_GT(Sum.RowHits, 0u);
+  EXPECT_GT(Sum.RowMisses, 0u);
+  EXPECT_GT(Sum.RowConflicts, 0u);
 }
 
 TEST(DramPathTest, AtomicsReadAndWrite) {
@@ -322,7 +348,7 @@ TEST(DramPathTest, BehindAllLevels) {
   uint32_t Hit = M.load(200, A, 0, 1);
   M.run(500);
   EXPECT_EQ(M.ready(Miss), 38u + 32 + 6);
-  EXPECT_EQ(M.level(Miss), ServedBy::Dram);
+  EXPECT_EQ(M.level(Miss), ServedBy::DramRowMiss);
   EXPECT_EQ(M.ready(Hit), 234u);
 }
 
@@ -335,6 +361,7 @@ TEST(DramPathTest, SectorsOfSeveralBursts) {
   uint32_t Load = M.load(10, A);
   M.run(500);
   EXPECT_EQ(M.ready(Load), 30u + 32);
+  EXPECT_EQ(M.level(Load), ServedBy::DramRowMiss);
   EXPECT_EQ(M.statistics().SentByL2s, 2u);
   EXPECT_EQ(M.statistics().DramChannels[0].Reads, 1u);
   EXPECT_EQ(M.statistics().DramChannels[1].Reads, 1u);

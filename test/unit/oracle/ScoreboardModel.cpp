@@ -227,7 +227,8 @@ void ScoreboardModel::settle(ModelThread &T, const Instruction &I) {
 
 void ScoreboardModel::loseTo(ModelThread &T, const ModelRegister &Source,
                              uint64_t Cycles) {
-  static constexpr Loss ByLevel[] = {Loss::L1, Loss::L2, Loss::Dram,
+  static constexpr Loss ByLevel[] = {Loss::L1,    Loss::L2,   Loss::Dram,
+                                     Loss::Dram,  Loss::Dram, Loss::Dram,
                                      Loss::Memory};
   static_assert(std::size(ByLevel) == NumServedBy);
   Loss Reason =

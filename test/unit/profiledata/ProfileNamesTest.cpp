@@ -24,7 +24,7 @@ TEST(ProfileNames, ShortNamesHaveNoParameters) {
 }
 
 TEST(ProfileNames, LevelsAndLossesAreFoundByTheirNames) {
-  EXPECT_EQ(findLevel("dram"), ServedBy::Dram);
+  EXPECT_EQ(findLevel("dram_row_hit"), ServedBy::DramRowHit);
   EXPECT_EQ(findLevel("l3"), std::nullopt);
   EXPECT_EQ(findLoss("unit_conflict"), Loss::UnitConflict);
   EXPECT_EQ(findLoss("dram"), Loss::Dram);

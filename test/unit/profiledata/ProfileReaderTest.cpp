@@ -62,6 +62,10 @@ TEST(ProfileReader, ErrorsNameThePlace) {
   std::string Text = textOf(smallProfile());
   Text.replace(Text.find("\"data\""), 6, "\"date\"");
   EXPECT_NE(errorOf(Text).find("unknown name at profile"), std::string::npos);
+  Data = smallProfile();
+  Data.Statistics = "3";
+  EXPECT_NE(errorOf(textOf(Data)).find("expected object at profile.statistics"),
+            std::string::npos);
 }
 
 } // namespace
