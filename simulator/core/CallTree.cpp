@@ -6,6 +6,8 @@
 
 #include "simulator/core/CallTree.h"
 
+#include <algorithm>
+
 namespace tp {
 
 CallTree::CallTree() : Nodes(MaxEdges), Edges(MaxEdges), Table(TableSize) {}
@@ -54,6 +56,21 @@ uint32_t CallTree::add(const Node &Wanted) {
   Edges[EdgeCount] = {Wanted, Number};
   Table[Place].store(++EdgeCount, std::memory_order_release);
   return Number;
+}
+
+void CallTree::serialize(Archive &A) {
+  uint32_t Saved = EdgeCount;
+  A(Saved);
+  for (uint32_t I = 0; I != std::min(Saved, MaxEdges); ++I) {
+    Node Called = Edges[I].Called;
+    A(Called);
+    // In the same order they lead to the same nodes.
+    if (A.isRestoring())
+      add(Called);
+  }
+  bool WasCut = IsCut;
+  A(WasCut);
+  IsCut = WasCut;
 }
 
 } // namespace tp

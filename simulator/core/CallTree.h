@@ -7,6 +7,8 @@
 #ifndef TP_SIMULATOR_CORE_CALLTREE_H
 #define TP_SIMULATOR_CORE_CALLTREE_H
 
+#include "simulator/core/Archive.h"
+
 #include <atomic>
 #include <cstdint>
 #include <mutex>
@@ -40,6 +42,8 @@ public:
   /// When no host thread asks.
   uint32_t size() const { return Count; }
   bool isCut() const { return IsCut; }
+  /// When no host thread asks.
+  void serialize(Archive &A);
 
 private:
   static constexpr uint32_t MaxEdges = 1 << 16;

@@ -10,6 +10,23 @@
 
 namespace tp {
 
+RecordedCounts &RecordedCounts::operator+=(const RecordedCounts &Other) {
+  for (size_t Node = 0; Node != Other.Nodes.size(); ++Node) {
+    NodeCounts &Sum = of(uint32_t(Node));
+    const NodeCounts &More = Other.Nodes[Node];
+    Sum.Calls += More.Calls;
+    Sum.Instructions += More.Instructions;
+    for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
+      Sum.Lost[Reason] += More.Lost[Reason];
+  }
+  for (size_t Word = 0; Word != Served.size(); ++Word)
+    for (unsigned Level = 0; Level != NumServedBy; ++Level) {
+      Served[Word][Level].Accesses += Other.Served[Word][Level].Accesses;
+      Served[Word][Level].Cycles += Other.Served[Word][Level].Cycles;
+    }
+  return *this;
+}
+
 void RecorderPart::issued(const Thread &T, const IssuedInstruction &Issued) {
   Transfer Kind = Owner.Transfers[Issued.Word];
   if (Kind == Transfer::None || !Issued.IsTaken)
@@ -19,14 +36,14 @@ void RecorderPart::issued(const Thread &T, const IssuedInstruction &Issued) {
                                     Functions.functionOf(Issued.NextWord))
     return;
   ExecutionRecorder::ThreadCalls &Where = Owner.Threads[T.Number];
-  NodeCounts &Counts = countsOf(Where.Node);
+  RecordedCounts::NodeCounts &Sum = Counts.of(Where.Node);
   uint64_t Instructions = Issued.Cycle - T.totalLost();
-  Counts.Instructions += Instructions - Where.Instructions;
+  Sum.Instructions += Instructions - Where.Instructions;
   Where.Instructions = Instructions;
   for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
-    Counts.Lost[Reason] += T.Lost[Reason] - Where.Lost[Reason];
+    Sum.Lost[Reason] += T.Lost[Reason] - Where.Lost[Reason];
   Where.Lost = T.Lost;
-  Counts.Lost[unsigned(Loss::Branch)] += Issued.BranchLoss;
+  Sum.Lost[unsigned(Loss::Branch)] += Issued.BranchLoss;
   Where.Lost[unsigned(Loss::Branch)] += Issued.BranchLoss;
   Where.LastNode = Where.Node;
   if (Kind == Transfer::Call)
@@ -38,7 +55,7 @@ void RecorderPart::issued(const Thread &T, const IssuedInstruction &Issued) {
 }
 
 void RecorderPart::served(const AnsweredRequest &Answer) {
-  ServedAccesses &Sum = Served[Answer.Word][unsigned(Answer.Level)];
+  ServedAccesses &Sum = Counts.Served[Answer.Word][unsigned(Answer.Level)];
   ++Sum.Accesses;
   Sum.Cycles += Answer.Ready - Answer.Issued;
   if (!Owner.IsTraced.empty() && Owner.IsTraced[Answer.Thread])
@@ -81,7 +98,7 @@ void ExecutionRecorder::enter(ThreadCalls &Where,
   uint32_t Node = Tree.numberOf(Function);
   Where.Node = Node;
   if (Tree.node(Node).Function == Function.Function)
-    ++Part.countsOf(Node).Calls;
+    ++Part.Counts.of(Node).Calls;
 }
 
 void ExecutionRecorder::call(ThreadCalls &Where,
@@ -118,43 +135,37 @@ void ExecutionRecorder::jump(ThreadCalls &Where,
   enter(Where, {Where.Node, Issued.Word, Function}, Part);
 }
 
-std::vector<RecorderPart::NodeCounts>
-ExecutionRecorder::sumOfNodes(const Statistics &Now) const {
-  std::vector<RecorderPart::NodeCounts> Sum(Tree.size());
+RecordedCounts ExecutionRecorder::total() const {
+  RecordedCounts Sum(Transfers.size());
   for (const RecorderPart &Part : Parts)
-    for (size_t Node = 0; Node != Part.Nodes.size(); ++Node) {
-      const RecorderPart::NodeCounts &Counts = Part.Nodes[Node];
-      Sum[Node].Calls += Counts.Calls;
-      Sum[Node].Instructions += Counts.Instructions;
-      for (unsigned Reason = 0; Reason != NumLosses; ++Reason)
-        Sum[Node].Lost[Reason] += Counts.Lost[Reason];
-    }
+    Sum += Part.Counts;
+  return Sum;
+}
+
+void ExecutionRecorder::addOpenNodes(const Statistics &Now,
+                                     RecordedCounts &Sum) const {
   for (size_t Thread = 0; Thread != Threads.size(); ++Thread) {
     const ThreadCalls &Where = Threads[Thread];
     const ThreadStatistics &Counts = Now.Threads[Thread];
-    Sum[Where.Node].Instructions += Counts.Instructions - Where.Instructions;
+    Sum.of(Where.Node).Instructions += Counts.Instructions - Where.Instructions;
     for (unsigned Reason = 0; Reason != NumLosses; ++Reason) {
       if (Loss(Reason) == Loss::Finished)
         continue;
       uint64_t Before = Where.Lost[Reason], After = Counts.Lost[Reason];
       // The branch to where the thread is now was cut by the run's end.
       uint32_t Node = After < Before ? Where.LastNode : Where.Node;
-      Sum[Node].Lost[Reason] += After - Before;
+      Sum.of(Node).Lost[Reason] += After - Before;
     }
   }
-  return Sum;
 }
 
 void ExecutionRecorder::recordAccesses(const Statistics &Now,
+                                       const RecordedCounts &Sum,
                                        ExecutionRecord &Result) const {
   for (size_t Word = 0; Word != Now.Pcs.size(); ++Word) {
     MemoryBehaviour &Memory = Result.Pcs.emplace_back();
     Memory.Global = Now.Pcs[Word].Global;
-    for (const RecorderPart &Part : Parts)
-      for (unsigned Level = 0; Level != NumServedBy; ++Level) {
-        Memory.Served[Level].Accesses += Part.Served[Word][Level].Accesses;
-        Memory.Served[Level].Cycles += Part.Served[Word][Level].Cycles;
-      }
+    Memory.Served = Sum.Served[Word];
     if (Chip.hasMemorySystem() || Memory.Global == 0)
       continue;
     // Nobody answers stores.
@@ -166,9 +177,8 @@ void ExecutionRecorder::recordAccesses(const Statistics &Now,
   }
 }
 
-void ExecutionRecorder::recordCalls(const Statistics &Now,
+void ExecutionRecorder::recordCalls(const RecordedCounts &Sum,
                                     ExecutionRecord &Result) const {
-  std::vector<RecorderPart::NodeCounts> Sum = sumOfNodes(Now);
   // Numbers depend on which host thread came first; the order of chains does
   // not.
   std::vector<std::vector<uint32_t>> Called(Tree.size());
@@ -195,9 +205,9 @@ void ExecutionRecorder::recordCalls(const Statistics &Now,
     if (Node.Caller != CallTree::NoNode)
       Function.Caller = NewNumber[Node.Caller];
     Function.CallSite = Node.Site;
-    Function.Calls = Sum[Number].Calls;
-    Function.Instructions = Sum[Number].Instructions;
-    Function.Lost = Sum[Number].Lost;
+    Function.Calls = Sum.Nodes[Number].Calls;
+    Function.Instructions = Sum.Nodes[Number].Instructions;
+    Function.Lost = Sum.Nodes[Number].Lost;
     Sort(Called[Number]);
     Next.insert(Next.end(), Called[Number].begin(), Called[Number].end());
   }
@@ -206,9 +216,23 @@ void ExecutionRecorder::recordCalls(const Statistics &Now,
 
 ExecutionRecord ExecutionRecorder::record(const Statistics &Now) const {
   ExecutionRecord Result;
-  recordAccesses(Now, Result);
-  recordCalls(Now, Result);
+  RecordedCounts Sum = total();
+  addOpenNodes(Now, Sum);
+  Sum.Nodes.resize(Tree.size());
+  recordAccesses(Now, Sum, Result);
+  recordCalls(Sum, Result);
   return Result;
+}
+
+void ExecutionRecorder::serialize(Archive &A) {
+  A(Tree);
+  A(Threads);
+  RecordedCounts Sum = total();
+  A(Sum);
+  if (!A.isRestoring())
+    return;
+  Parts.clear();
+  addPart().Counts = std::move(Sum);
 }
 
 } // namespace tp

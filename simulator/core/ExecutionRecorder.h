@@ -15,6 +15,7 @@
 #define TP_SIMULATOR_CORE_EXECUTIONRECORDER_H
 
 #include "simulator/chip/ChipConfig.h"
+#include "simulator/core/Archive.h"
 #include "simulator/core/CallTree.h"
 #include "simulator/core/FunctionMap.h"
 #include "simulator/core/Thread.h"
@@ -48,13 +49,38 @@ struct AnsweredRequest {
   ServedBy Level = ServedBy::Memory;
 };
 
+/// What was counted in a node of the call tree, and by word of the text.
+struct RecordedCounts {
+  struct NodeCounts {
+    uint64_t Calls = 0;
+    uint64_t Instructions = 0;
+    LossCounts Lost{};
+  };
+
+  explicit RecordedCounts(size_t NumWords) : Served(NumWords) {}
+
+  NodeCounts &of(uint32_t Node) {
+    if (Node >= Nodes.size())
+      Nodes.resize(Node + 1);
+    return Nodes[Node];
+  }
+  RecordedCounts &operator+=(const RecordedCounts &Other);
+  void serialize(Archive &A) {
+    A(Nodes);
+    A(Served);
+  }
+
+  std::vector<NodeCounts> Nodes;
+  std::vector<std::array<ServedAccesses, NumServedBy>> Served;
+};
+
 class ExecutionRecorder;
 
 /// What one host thread records.
 class RecorderPart {
 public:
   RecorderPart(ExecutionRecorder &Owner, size_t NumWords)
-      : Owner(Owner), Served(NumWords) {}
+      : Owner(Owner), Counts(NumWords) {}
 
   /// A thread has issued an instruction that is observed.
   void issued(const Thread &T, const IssuedInstruction &Issued);
@@ -64,23 +90,9 @@ public:
 private:
   friend ExecutionRecorder;
 
-  /// What was done in a node of the call tree.
-  struct NodeCounts {
-    uint64_t Calls = 0;
-    uint64_t Instructions = 0;
-    LossCounts Lost{};
-  };
-
-  NodeCounts &countsOf(uint32_t Node) {
-    if (Node >= Nodes.size())
-      Nodes.resize(Node + 1);
-    return Nodes[Node];
-  }
-
   ExecutionRecorder &Owner;
   std::vector<AnsweredRequest> Answers;
-  std::vector<NodeCounts> Nodes;
-  std::vector<std::array<ServedAccesses, NumServedBy>> Served;
+  RecordedCounts Counts;
 };
 
 /// Records what the statistics do not have: the tree of calls, and where the
@@ -115,6 +127,9 @@ public:
   /// What was recorded up to now, where the run has these statistics.
   ExecutionRecord record(const Statistics &Now) const;
 
+  /// Between two windows; but for requests that are traced.
+  void serialize(Archive &A);
+
 private:
   friend RecorderPart;
 
@@ -132,6 +147,14 @@ private:
     uint64_t Instructions = 0;
     LossCounts Lost{};
     std::vector<OpenCall> Stack;
+
+    void serialize(Archive &A) {
+      A(Node);
+      A(LastNode);
+      A(Instructions);
+      A(Lost);
+      A(Stack);
+    }
   };
 
   void call(ThreadCalls &Where, const IssuedInstruction &Issued,
@@ -141,9 +164,13 @@ private:
             RecorderPart &Part);
   void enter(ThreadCalls &Where, const CallTree::Node &Function,
              RecorderPart &Part);
-  std::vector<RecorderPart::NodeCounts> sumOfNodes(const Statistics &Now) const;
-  void recordAccesses(const Statistics &Now, ExecutionRecord &Result) const;
-  void recordCalls(const Statistics &Now, ExecutionRecord &Result) const;
+  /// Of all parts.
+  RecordedCounts total() const;
+  /// Adds to \p Sum what threads have done since they came to their nodes.
+  void addOpenNodes(const Statistics &Now, RecordedCounts &Sum) const;
+  void recordAccesses(const Statistics &Now, const RecordedCounts &Sum,
+                      ExecutionRecord &Result) const;
+  void recordCalls(const RecordedCounts &Sum, ExecutionRecord &Result) const;
 
   const ChipConfig &Chip;
   const Program &Text;

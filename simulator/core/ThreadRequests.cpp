@@ -54,10 +54,10 @@ ThreadRequests::Origin ThreadRequests::originOf(const MemoryAnswer &Answer) {
   const RegisterRequest &Request = Registers[Register];
   if (Request.Number == Answer.Ticket >> RegisterBits)
     return {Kept.Words[Register], Request.issuedBefore(Answer.ReadyCycle)};
-  auto Found = std::ranges::find(Kept.Superseded, Answer.Ticket,
-                                 &std::pair<uint32_t, Origin>::first);
+  auto Found =
+      std::ranges::find(Kept.Superseded, Answer.Ticket, &TicketOrigin::Ticket);
   assert(Found != Kept.Superseded.end() && "an answer without a request");
-  Origin Result = Found->second;
+  Origin Result = Found->From;
   Kept.Superseded.erase(Found);
   return Result;
 }
@@ -72,6 +72,7 @@ void ThreadRequests::serialize(Archive &A) {
   A(LastStoreAnswer);
   A(SuspendedAt);
   A(Waiting);
+  A(Recorded);
 }
 
 } // namespace tp

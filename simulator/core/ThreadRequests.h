@@ -20,7 +20,6 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace tp {
@@ -177,12 +176,23 @@ private:
 
   bool isRecorded() const { return !Recorded.empty(); }
 
+  struct TicketOrigin {
+    uint32_t Ticket = 0;
+    Origin From;
+  };
+
   struct Origins {
     /// Of the requests in Registers and Stores.
     std::array<uint32_t, NumRegisters> Words{};
     std::vector<Origin> Stores;
-    /// Tickets of unanswered requests whose registers belong to others.
-    std::vector<std::pair<uint32_t, Origin>> Superseded;
+    /// Of unanswered requests whose registers belong to others.
+    std::vector<TicketOrigin> Superseded;
+
+    void serialize(Archive &A) {
+      A(Words);
+      A(Stores);
+      A(Superseded);
+    }
   };
 
   /// One if origins are kept, or none: that takes less room.

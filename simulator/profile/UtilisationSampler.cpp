@@ -64,6 +64,19 @@ void UtilisationSampler::addInterval(const Statistics &Now) {
   beginAt(Now);
 }
 
+void UtilisationSampler::serialize(Archive &A) {
+  A(Length);
+  A(NextEnd);
+  A(HasBegun);
+  A(Begin);
+  A(Before);
+  A(Result.Ends);
+  A(Result.Chip);
+  A(Result.Issued);
+  A(Result.Memory);
+  A(Result.Finished);
+}
+
 void UtilisationSampler::joinPairs() {
   auto Join = [](auto &Series) {
     for (size_t I = 0; I != Series.size() / 2; ++I) {

@@ -8,6 +8,7 @@
 #define TP_SIMULATOR_PROFILE_UTILISATIONSAMPLER_H
 
 #include "simulator/chip/ChipConfig.h"
+#include "simulator/core/Archive.h"
 #include "simulator/profile/Profile.h"
 #include "simulator/stats/Statistics.h"
 
@@ -26,6 +27,9 @@ public:
   /// first interval; an interval ends with each later call that is not before
   /// nextLook(), and with \p IsLast.
   void look(const Statistics &Now, bool IsLast = false);
+
+  /// What a checkpoint must hold.
+  void serialize(Archive &A);
 
   Utilisation take() { return std::move(Result); }
 

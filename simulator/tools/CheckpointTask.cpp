@@ -70,6 +70,7 @@ static RunIdentity identityOf(const Options &Request, const ChipConfig &Chip,
       {"program and scene", MemoryHash.hash()},
       {"--fast-forward", Marker(Request.FastForward)},
       {"--regions", Regions},
+      {"--profile", Request.Profile ? "yes" : "no"},
       {"--trace-cache", Trace},
   };
 }

@@ -217,8 +217,7 @@ private:
                 " has no meaning with --read-profile, which runs nothing");
     for (OptionId Profile : {OPT_profile, OPT_profile_EQ}) {
       exclude(Profile, OPT_functional, "the functional mode has no cycles");
-      for (OptionId Id : {OPT_regions, OPT_checkpoint, OPT_restore})
-        exclude(Profile, Id, "a profile is of a whole run");
+      exclude(Profile, OPT_regions, "a profile is of a whole run");
     }
   }
 

@@ -44,6 +44,11 @@ llvm::Error ProfileTask::pause(Engine &Machine, RunResult::EndKind Now) {
   return llvm::Error::success();
 }
 
+void ProfileTask::serialize(Archive &A) {
+  A(Recorder);
+  A(Tms);
+}
+
 Profile ProfileTask::finish(const RunSummary &Run) {
   return makeProfile(Run, Loaded.Elf, Recorder.record(Run.Stats), Tms.take());
 }

@@ -24,18 +24,19 @@ class ProfileTask : public RunTask {
 public:
   /// \p Recorder is the machine's.
   ProfileTask(const ChipConfig &Chip, const RunSetup &Loaded,
-              const ExecutionRecorder &Recorder)
+              ExecutionRecorder &Recorder)
       : Loaded(Loaded), Recorder(Recorder), Tms(Chip) {}
 
   uint64_t nextPause() const override { return Tms.nextLook(); }
   llvm::Error pause(Engine &Machine, RunResult::EndKind Now) override;
+  void serialize(Archive &A) override;
 
   /// The profile of the run, which has ended and which \p Run is about.
   Profile finish(const RunSummary &Run);
 
 private:
   const RunSetup &Loaded;
-  const ExecutionRecorder &Recorder;
+  ExecutionRecorder &Recorder;
   UtilisationSampler Tms;
 };
 

@@ -54,9 +54,13 @@ struct RunTasks {
 };
 
 /// Those that must exist before anything has run.
+/// \p Recorder is the machine's, if it has one.
 static RunTasks makeTasks(const Options &Request, const ChipConfig &Chip,
-                          RunSetup &Loaded, RunConsole &Console) {
+                          RunSetup &Loaded, RunConsole &Console,
+                          ExecutionRecorder *Recorder) {
   RunTasks Tasks;
+  if (Request.Profile)
+    Tasks.Profile = std::make_unique<ProfileTask>(Chip, Loaded, *Recorder);
   if (Request.Regions)
     Tasks.Regions = std::make_unique<RegionTask>(Request, Loaded);
   if (!Request.CheckpointOutput.empty() || !Request.RestoreInput.empty()) {
@@ -161,9 +165,7 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
   Machine.setOutput(
       [&](int Fd, std::string_view Bytes) { Console.write(Fd, Bytes); });
   Machine.setObserver(Loaded.Rays.get());
-  RunTasks Tasks = makeTasks(Request, Chip, Loaded, Console);
-  if (Request.Profile)
-    Tasks.Profile = std::make_unique<ProfileTask>(Chip, Loaded, *Recorder);
+  RunTasks Tasks = makeTasks(Request, Chip, Loaded, Console, Recorder.get());
   if (Request.Trace)
     if (llvm::Error E =
             TraceTask::start(*Request.Trace, Chip, Loaded, *Recorder, Machine)

@@ -23,7 +23,7 @@
 // RUN: tpsim --read-profile %t.dram.json | FileCheck %s --check-prefix=ROWS
 // ROWS: row is the percent of those from DRAM whose row was open
 // ROWS: wait access row in
-// ROWS-NEXT: {{[0-9]+}} {{[0-9]+}} sums.cpp:[[#@LINE+26]] mix
+// ROWS-NEXT: {{[0-9]+}} {{[0-9]+}} sums.cpp:[[#@LINE+33]] mix
 
 // Also of a run that is cut, in which waits are under way; without debug
 // information; and with a trap.
@@ -38,6 +38,13 @@
 // RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --stats %t.with.json --profile
 // RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --stats %t.without.json
 // RUN: cmp %t.with.json %t.without.json
+
+// A run that goes on from a checkpoint has the whole run's profile.
+// RUN: not tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --profile --checkpoint %t.checkpoint --max-cycles 777 --host-threads 2
+// RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --profile=%t.restored.json --restore %t.checkpoint
+// RUN: cmp %t.l2.json %t.restored.json
+// RUN: not tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --restore %t.checkpoint 2>&1 | FileCheck %s --check-prefix=RESTORE
+// RESTORE: tpsim: error: {{.*}}.checkpoint: made by another run: its --profile is 'yes', this run's is 'no'; restore it with what it was made with
 
 // What was written says the same when it is read.
 // RUN: tpsim --read-profile %t.l2.json --profile-folded %t.again.folded --profile-speedscope %t.again.json > %t.table.txt
