@@ -20,7 +20,7 @@ class TPTargetMachine;
 FunctionPass *createTPISelDag(TPTargetMachine &TM, CodeGenOptLevel OptLevel);
 
 /// Creates the pass that tells debuggers of variables behind pointer arguments.
-FunctionPass *createTPArgumentVariablesPass();
+FunctionPass *createTPPointedVariablesPass();
 
 /// Creates the pass that tags atomic operations before they are expanded.
 FunctionPass *createTPAtomicTagsPass();
@@ -46,7 +46,7 @@ FunctionPass *createTPStrictHalfFloatsPass();
 /// Adds the assembly printer to LLVM's target registry.
 void registerTPAsmPrinter();
 
-void initializeTPArgumentVariablesPass(PassRegistry &);
+void initializeTPPointedVariablesPass(PassRegistry &);
 void initializeTPAsmPrinterPass(PassRegistry &);
 void initializeTPAtomicLoopsPass(PassRegistry &);
 void initializeTPAtomicTagsPass(PassRegistry &);

@@ -34,7 +34,7 @@ extern "C" LLVM_EXTERNAL_VISIBILITY void LLVMInitializeTPTarget() {
 
     PassRegistry &Registry = *PassRegistry::getPassRegistry();
     initializeTPAsmPrinterPass(Registry);
-    initializeTPArgumentVariablesPass(Registry);
+    initializeTPPointedVariablesPass(Registry);
     initializeTPAtomicLoopsPass(Registry);
     initializeTPAtomicTagsPass(Registry);
     initializeTPCheckedObjectsPass(Registry);
@@ -148,7 +148,7 @@ public:
   void addIRPasses() override {
     addPass(createTPBuiltinAttributesPass());
     addPass(createTPStrictHalfFloatsPass());
-    addPass(createTPArgumentVariablesPass());
+    addPass(createTPPointedVariablesPass());
     addPass(createTPCheckedObjectsPass());
     addPass(createTPAtomicTagsPass());
     addPass(createAtomicExpandLegacyPass());

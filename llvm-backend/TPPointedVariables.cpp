@@ -1,14 +1,16 @@
-//===- TPArgumentVariables.cpp - Variables behind pointer arguments -------===//
+//===- TPPointedVariables.cpp - Variables behind pointers -----------------===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
 //===----------------------------------------------------------------------===//
 //
 // A struct that is passed by value is declared to debuggers as a variable in
-// the memory that a pointer argument names. Instruction selection expects such
-// memory in the frame and otherwise forgets the variable. Here the declaration
-// becomes one that follows the pointer: in unoptimized code a slot of the frame
-// keeps it for the whole function, in optimized code it is a value like others.
+// the memory that a pointer argument names, an array of variable size as one in
+// the memory that the stack is grown by. Instruction selection expects declared
+// memory to have a fixed place in the frame and otherwise forgets the variable.
+// Here the declaration becomes one that follows the pointer: in unoptimized
+// code a slot of the frame keeps it for the whole function, in optimized code
+// it is a value like others.
 //
 //===----------------------------------------------------------------------===//
 
@@ -17,22 +19,23 @@
 #include "llvm/IR/DebugInfo.h"
 #include "llvm/IR/DebugProgramInstruction.h"
 #include "llvm/IR/IRBuilder.h"
+#include "llvm/IR/InstIterator.h"
 #include "llvm/InitializePasses.h"
 #include "llvm/Pass.h"
 
 using namespace llvm;
 
-#define DEBUG_TYPE "tp-argument-variables"
+#define DEBUG_TYPE "tp-pointed-variables"
 
 namespace {
 
-class TPArgumentVariables : public FunctionPass {
+class TPPointedVariables : public FunctionPass {
 public:
   static char ID;
 
-  TPArgumentVariables() : FunctionPass(ID) {}
+  TPPointedVariables() : FunctionPass(ID) {}
 
-  StringRef getPassName() const override { return "TP argument variables"; }
+  StringRef getPassName() const override { return "TP pointed variables"; }
 
   void getAnalysisUsage(AnalysisUsage &AU) const override {
     AU.setPreservesCFG();
@@ -44,29 +47,46 @@ public:
 
 } // namespace
 
-char TPArgumentVariables::ID = 0;
+char TPPointedVariables::ID = 0;
 
-INITIALIZE_PASS_BEGIN(TPArgumentVariables, DEBUG_TYPE,
-                      "Follow pointer arguments to variables", false, false)
+INITIALIZE_PASS_BEGIN(TPPointedVariables, DEBUG_TYPE,
+                      "Follow pointers to variables", false, false)
 INITIALIZE_PASS_DEPENDENCY(TargetPassConfig)
-INITIALIZE_PASS_END(TPArgumentVariables, DEBUG_TYPE,
-                    "Follow pointer arguments to variables", false, false)
+INITIALIZE_PASS_END(TPPointedVariables, DEBUG_TYPE,
+                    "Follow pointers to variables", false, false)
 
-FunctionPass *llvm::createTPArgumentVariablesPass() {
-  return new TPArgumentVariables();
+FunctionPass *llvm::createTPPointedVariablesPass() {
+  return new TPPointedVariables();
 }
 
-/// Makes a variable of the frame that holds each by-value argument's pointer,
-/// with and without debug information, so that the code is the same.
+/// Whether \p Pointer is the place of an object of variable size.
+static bool isVariableSize(const Value *Pointer) {
+  const auto *Object = dyn_cast_or_null<AllocaInst>(Pointer);
+  return Object && !Object->isStaticAlloca();
+}
+
+/// Makes a variable of the frame that holds the pointer of each by-value
+/// argument and each object of variable size, with and without debug
+/// information, so that the code is the same.
 static DenseMap<Value *, AllocaInst *> keepInFrame(Function &F) {
+  SmallVector<AllocaInst *> Objects;
+  for (Instruction &I : instructions(F))
+    if (isVariableSize(&I))
+      Objects.push_back(cast<AllocaInst>(&I));
   DenseMap<Value *, AllocaInst *> Slots;
   BasicBlock &Entry = F.getEntryBlock();
   IRBuilder<> Builder(&Entry, Entry.begin());
+  for (AllocaInst *Object : Objects)
+    Slots[Object] = Builder.CreateAlloca(Object->getType());
   for (Argument &Pointer : F.args()) {
     if (!Pointer.hasByValAttr())
       continue;
     Slots[&Pointer] = Builder.CreateAlloca(Pointer.getType());
     Builder.CreateStore(&Pointer, Slots[&Pointer]);
+  }
+  for (AllocaInst *Object : Objects) {
+    Builder.SetInsertPoint(Object->getNextNode());
+    Builder.CreateStore(Object, Slots[Object]);
   }
   return Slots;
 }
@@ -85,19 +105,21 @@ static void followPointer(DbgVariableRecord &Declaration, AllocaInst *Slot) {
   Declaration.eraseFromParent();
 }
 
-/// The declarations of variables in memory that an argument points to.
+/// The declarations of variables in memory that an argument points to or that
+/// the stack is grown by.
 static SmallVector<DbgVariableRecord *> findDeclarations(Function &F) {
   SmallVector<DbgVariableRecord *> Declarations;
-  for (BasicBlock &Block : F)
-    for (Instruction &I : Block)
-      for (DbgVariableRecord &Record : filterDbgVars(I.getDbgRecordRange()))
-        if (Record.isDbgDeclare() &&
-            isa_and_nonnull<Argument>(Record.getVariableLocationOp(0)))
-          Declarations.push_back(&Record);
+  for (Instruction &I : instructions(F))
+    for (DbgVariableRecord &Record : filterDbgVars(I.getDbgRecordRange())) {
+      const Value *Pointer = Record.getVariableLocationOp(0);
+      if (Record.isDbgDeclare() &&
+          (isa_and_nonnull<Argument>(Pointer) || isVariableSize(Pointer)))
+        Declarations.push_back(&Record);
+    }
   return Declarations;
 }
 
-bool TPArgumentVariables::runOnFunction(Function &F) {
+bool TPPointedVariables::runOnFunction(Function &F) {
   const bool IsOptimized =
       getAnalysis<TargetPassConfig>().getOptLevel() != CodeGenOptLevel::None &&
       !F.hasOptNone();
