@@ -152,9 +152,8 @@ void TPCheckedObjects::watch(AllocaInst &Object) {
     Call->eraseFromParent();
   }
   if (!HasBeginning) {
-    BasicBlock &Entry = Object.getFunction()->getEntryBlock();
     BasicBlock::iterator At = std::next(Object.getIterator());
-    while (isa<AllocaInst>(At) && &*At != Entry.getTerminator())
+    while (isa<AllocaInst>(At))
       ++At;
     tellOf(*At, CheckMessage::ObjectBegins, Descriptor, Inside);
   }
@@ -168,9 +167,8 @@ void TPCheckedObjects::watch(AllocaInst &Object) {
 /// Whether \p Global is the program's own and may become larger.
 static bool isPadded(const GlobalVariable &Global,
                      ArrayRef<GlobalValue *> Used) {
-  return !Global.isDeclaration() && !Global.isThreadLocal() &&
-         !Global.hasSection() && !Global.hasComdat() &&
-         !Global.hasPrivateLinkage() && Global.hasExactDefinition() &&
+  return !Global.hasSection() && !Global.hasComdat() &&
+         Global.hasExactDefinition() &&
          !Global.getName().starts_with("llvm.") &&
          !is_contained(Used, &Global) &&
          Global.getDataLayout().getTypeAllocSize(Global.getValueType()) != 0;
@@ -189,7 +187,7 @@ Constant *TPCheckedObjects::pad(GlobalVariable &Global) {
       Global.isConstant(), Global.getLinkage(),
       ConstantStruct::getAnon(
           {Global.getInitializer(), Constant::getNullValue(Padding)}),
-      "", &Global);
+      "", &Global, Global.getThreadLocalMode());
   Padded->copyAttributesFrom(&Global);
   Padded->copyMetadata(&Global, 0);
   Padded->setAlignment(

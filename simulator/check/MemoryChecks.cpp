@@ -149,9 +149,15 @@ static bool isOfStack(Access Code) {
 
 static bool isOfHeap(Access Code) { return Code <= Access::HeapUnused; }
 
+bool MemoryChecks::isOfStart(uint32_t Pc) {
+  const std::vector<SourceFrame> &Frames = Program.Found.frames(Pc);
+  return !Frames.empty() && Frames.front().Function == "__tp_start_thread";
+}
+
 void MemoryChecks::reportAccess(const CheckedAccess &A, bool IsStore,
                                 Access Code) {
-  if (!Wanted.Memory)
+  if (!Wanted.Memory ||
+      (A.IsLocal && Code == Access::GlobalPadding && isOfStart(A.Pc)))
     return;
   const HeapBlock *Block = isOfHeap(Code) ? Blocks.nearest(A.Address) : nullptr;
   const char *Kind = kindOf(Code);

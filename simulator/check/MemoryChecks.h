@@ -122,6 +122,9 @@ private:
   }
   [[gnu::noinline]] void checkCode(const CheckedAccess &A, bool IsStore);
   [[gnu::noinline]] void checkBound(const CheckedAccess &A, bool IsStore);
+  /// Whether the instruction is of the code that copies the first values of a
+  /// thread's variables, and with them what lies between.
+  bool isOfStart(uint32_t Pc);
   void reportAccess(const CheckedAccess &A, bool IsStore, Access Code);
   /// What \p Address is, as far as the stack's objects or a block of the heap
   /// say it.

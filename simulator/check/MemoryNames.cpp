@@ -49,7 +49,9 @@ std::vector<CheckedGlobal> readCheckedGlobals(const ElfProgram &Program) {
 MemoryNames::MemoryNames(const ElfProgram &Program) {
   for (object::SymbolRef Symbol : Program.object().symbols()) {
     object::ELFSymbolRef Variable(Symbol);
-    if (Variable.getELFType() != ELF::STT_OBJECT || Variable.getSize() == 0)
+    const uint8_t Type = Variable.getELFType();
+    if ((Type != ELF::STT_OBJECT && Type != ELF::STT_TLS) ||
+        Variable.getSize() == 0)
       continue;
     Expected<StringRef> Name = Symbol.getName();
     Expected<uint64_t> Address = Symbol.getAddress();
@@ -60,8 +62,8 @@ MemoryNames::MemoryNames(const ElfProgram &Program) {
     consumeError(Address.takeError());
   }
   for (const CheckedGlobal &Known : readCheckedGlobals(Program))
-    if (auto Padded = Objects.find(Known.Address); Padded != Objects.end())
-      Padded->second.Bytes = Known.Bytes;
+    Objects.try_emplace(Known.Address, Object{0, "a constant without a name"})
+        .first->second.Bytes = Known.Bytes;
 }
 
 void MemoryNames::add(const LaunchPart &Part) {

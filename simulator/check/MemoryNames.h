@@ -37,7 +37,7 @@ struct LaunchPart {
 /// The program's globals and the parts of its launch by address.
 class MemoryNames {
 public:
-  /// The variables in the symbol table of \p Program.
+  /// The variables of \p Program, of its symbol table and its checked globals.
   explicit MemoryNames(const ElfProgram &Program);
 
   void add(const LaunchPart &Part);

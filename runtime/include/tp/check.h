@@ -6,9 +6,10 @@
 //
 // Messages of an allocator to the checkers of a run, on profile markers that
 // are kept for them. They take no time on the chip, and nothing happens on the
-// host. Memory accesses do not move across them. The runtime's malloc and
-// what the compiler adds for -fcheck-objects send them; an allocator of one's
-// own may, too.
+// host. Memory accesses do not move across them. The runtime's malloc and what
+// the compiler adds for -ftp-check-objects send them; an allocator of one's own
+// may, too, for blocks at multiples of 8 in memory that is not of the runtime's
+// heap.
 //
 //===----------------------------------------------------------------------===//
 

@@ -368,11 +368,15 @@ void *realloc(void *Memory, size_t Bytes) {
   Block *B = checkedBlock(Memory);
   uint32_t Old = bytesOf(B), New = blockBytes(Bytes);
   if (New <= Old) {
+    // What is cut off may be another thread's at once.
+    resized(Memory);
+    allocatorEntered(0);
     if (Old - New >= MinBytes) {
       LockGuard Guard(HeapLock);
       trim(B, New);
     }
-    return resized(Memory);
+    allocatorLeft();
+    return Memory;
   }
   if (grow(B, New))
     return resized(Memory);
