@@ -14,12 +14,12 @@
 
 namespace tp {
 
-/// The value of \p Register in thread \p Thread of \p Chip. \p cycle and
-/// \p instret give the thread's 64-bit counters.
+/// The value of \p Register in thread \p Thread of \p Chip. \p Cycles and
+/// \p Instructions give the thread's 64-bit counters.
 template <class CycleFunction, class InstructionsFunction>
 uint32_t readSpecial(SpecialRegister Register, const ChipConfig &Chip,
-                     uint32_t Thread, CycleFunction cycle,
-                     InstructionsFunction instret) {
+                     uint32_t Thread, CycleFunction Cycles,
+                     InstructionsFunction Instructions) {
   switch (Register) {
   case SpecialRegister::thread:
     return Thread;
@@ -36,13 +36,13 @@ uint32_t readSpecial(SpecialRegister Register, const ChipConfig &Chip,
   case SpecialRegister::lssize:
     return Chip.LocalStoreBytes;
   case SpecialRegister::cycle:
-    return uint32_t(cycle());
+    return uint32_t(Cycles());
   case SpecialRegister::cycleh:
-    return uint32_t(cycle() >> 32);
+    return uint32_t(Cycles() >> 32);
   case SpecialRegister::instret:
-    return uint32_t(instret());
+    return uint32_t(Instructions());
   case SpecialRegister::instreth:
-    return uint32_t(instret() >> 32);
+    return uint32_t(Instructions() >> 32);
   }
   __builtin_unreachable();
 }

@@ -52,8 +52,10 @@ public:
 using ProbeFunction = std::optional<MemoryAccess> (*)(
     const Instruction &, const std::array<uint32_t, NumRegisters> &);
 
+} // namespace
+
 template <Opcode Op>
-std::optional<MemoryAccess>
+static std::optional<MemoryAccess>
 probe(const Instruction &Decoded,
       const std::array<uint32_t, NumRegisters> &Registers) {
   Body<Op> Run(Decoded, Registers.data());
@@ -61,8 +63,6 @@ probe(const Instruction &Decoded,
   Run.run(Context);
   return Context.Found;
 }
-
-} // namespace
 
 std::optional<MemoryAccess>
 accessOf(const Instruction &Decoded,

@@ -133,8 +133,10 @@ static double logGammaOfPositive(double X) {
     return aroundTwo(X - 1.0, {-L.High, -L.Low});
   }
   DoublePair Product = {1.0, 0.0};
-  for (; X >= 2.5; X -= 1.0)
-    Product = multiply(Product, X - 1.0);
+  while (X >= 2.5) {
+    X -= 1.0;
+    Product = multiply(Product, X);
+  }
   DoublePair L =
       Product.High == 1.0 ? DoublePair{0.0, 0.0} : logarithm(Product);
   return aroundTwo(X - 2.0, L);

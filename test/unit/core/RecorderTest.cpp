@@ -13,7 +13,7 @@ using namespace tp::test;
 
 namespace {
 
-constexpr int Link = 31;
+constexpr int Link = LinkRegister;
 
 /// A node of the tree as tests state it.
 struct Expected {
@@ -23,8 +23,10 @@ struct Expected {
   uint64_t Instructions;
 };
 
-void expectTree(const ExecutionRecord &Record,
-                std::initializer_list<Expected> Tree) {
+} // namespace
+
+static void expectTree(const ExecutionRecord &Record,
+                       std::initializer_list<Expected> Tree) {
   ASSERT_EQ(Record.Calls.size(), Tree.size());
   for (size_t I = 0; I != Tree.size(); ++I) {
     const CalledFunction &Called = Record.Calls[I];
@@ -38,7 +40,7 @@ void expectTree(const ExecutionRecord &Record,
 
 /// Nodes and instructions have the same counts in sum, but for what halted
 /// threads wait.
-void expectSums(const Simulation &S) {
+static void expectSums(const Simulation &S) {
   uint64_t Instructions = 0;
   LossCounts Lost{};
   for (const CalledFunction &Called : S.recorded().Calls) {
@@ -217,5 +219,3 @@ TEST(Recorder, GlobalAccessesOfFixedLatency) {
   EXPECT_EQ(Record.Pcs[4].Global, 0u);
   EXPECT_EQ(S.statistics().GlobalAccesses, 4u);
 }
-
-} // namespace

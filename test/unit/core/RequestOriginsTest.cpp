@@ -11,13 +11,11 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
-constexpr int DataHigh = DataBegin >> 16;
-constexpr int64_t After20 = 2 * 256, After50 = 5 * 256, After200 = 20 * 256;
+static constexpr int DataHigh = DataBegin >> 16;
+static constexpr int After20 = 2 * 256, After50 = 5 * 256, After200 = 20 * 256;
 
 /// Runs on a chip with the scripted memory.
-ExecutionRecord record(const Assembly &A, uint32_t L1Latency = 0) {
+static ExecutionRecord record(const Assembly &A, uint32_t L1Latency = 0) {
   ChipConfig Chip = ScriptedMemory::chip(1, 1, L1Latency);
   Simulation S(Chip, A, 1, ScriptedMemory::make(Chip));
   S.record();
@@ -25,8 +23,8 @@ ExecutionRecord record(const Assembly &A, uint32_t L1Latency = 0) {
   return S.recorded();
 }
 
-ServedAccesses served(const ExecutionRecord &Record, unsigned Word,
-                      ServedBy Level) {
+static ServedAccesses served(const ExecutionRecord &Record, unsigned Word,
+                             ServedBy Level) {
   return Record.Pcs[Word].Served[unsigned(Level)];
 }
 
@@ -70,5 +68,3 @@ TEST(RequestOrigins, WhatIsUnderWayAtTheEndIsNotThere) {
   EXPECT_EQ(Record.Pcs[1].Global, 1u);
   EXPECT_EQ(served(Record, 1, ServedBy::DramRowConflict), ServedAccesses());
 }
-
-} // namespace

@@ -16,7 +16,7 @@
 
 namespace tp {
 class CodeGenerator;
-}
+} // namespace tp
 
 namespace tp::test {
 
