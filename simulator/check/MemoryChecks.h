@@ -189,11 +189,6 @@ private:
   std::string Error;
 };
 
-/// What a body of UndefinedBits.h needs of a context, which is nothing.
-struct NoContext {
-  void trap(TrapKind) {}
-};
-
 /// Whether an instruction's sources have undefined bits.
 template <class BodyType>
 [[gnu::always_inline]] inline UndefinedBits
@@ -334,9 +329,8 @@ void MemoryChecks::afterUndefined(ThreadShadow &Shadow,
     if (Sources[I] != 0)
       Origin = Shadow.Origin[Decoded.Source[I]];
   }
-  NoContext Context;
   Shadow.Undefined[Decoded.Destination] =
-      undefinedResult<Op>(Decoded, Run, Sources, Context);
+      undefinedResult<Op>(Decoded, Run, Sources);
   Shadow.Origin[Decoded.Destination] = Origin;
 }
 

@@ -7,7 +7,8 @@
 // A bit is undefined if it may be another one when undefined bits of the
 // instruction's operands are others; here it may also be called so where that
 // would be hard to find out, but never where compiled code relies on it: in
-// logic, moves, shifts, additions and comparisons.
+// logic, moves, shifts and comparisons of integers. Of a sum all bits from the
+// lowest undefined one on are called so.
 //
 //===----------------------------------------------------------------------===//
 
@@ -89,19 +90,18 @@ constexpr bool movesBits(Opcode Op) {
   }
 }
 
-/// True for comparisons that write 0 or 1.
-constexpr bool givesOneBit(Opcode Op) {
-  return (Op >= Opcode::C_UN_S && Op <= Opcode::C_ULE_S) ||
-         Op == Opcode::ADDC || Op == Opcode::SUBC;
-}
+/// What the bodies of instructions that move bits need of a context.
+struct NoContext {
+  void trap(TrapKind) {}
+};
 
 /// The undefined bits of the result of an instruction without access to memory
 /// whose operands are \p Run; \p Sources are those of its source registers, not
-/// all 0. \p Context takes what the bodies tell it.
-template <Opcode Op, class ContextType>
+/// all 0.
+template <Opcode Op>
 UndefinedBits undefinedResult(const Instruction &Decoded, const Body<Op> &Run,
-                              const UndefinedBits (&Sources)[3],
-                              ContextType &Context) {
+                              const UndefinedBits (&Sources)[3]) {
+  [[maybe_unused]] NoContext Context;
   const auto [First, Second, Third] = Sources;
   if constexpr (movesBits(Op)) {
     Instruction Operands = Decoded;
@@ -137,7 +137,7 @@ UndefinedBits undefinedResult(const Instruction &Decoded, const Body<Op> &Run,
     return First;
   } else if constexpr (Op == Opcode::SLT) {
     return isSignedOrderUndefined(Run.rs, First, Run.rt, Second);
-  } else if constexpr (Op == Opcode::SLTU) {
+  } else if constexpr (Op == Opcode::SLTU || Op == Opcode::SUBC) {
     return isOrderUndefined(Run.rs, First, Run.rt, Second);
   } else if constexpr (Op == Opcode::SLTI) {
     return isSignedOrderUndefined(Run.rs, First, uint32_t(Run.imm), 0);
@@ -151,7 +151,11 @@ UndefinedBits undefinedResult(const Instruction &Decoded, const Body<Op> &Run,
     if (isEqualityUndefined(Run.rt, Third, 0, 0))
       return undefinedChoice(toBits(Run.rdold), First, toBits(Run.rs), Second);
     return (Run.rt == 0) == WhenZero ? Second : First;
-  } else if constexpr (givesOneBit(Op)) {
+  } else if constexpr (Op == Opcode::ADDC) {
+    const auto Least = uint64_t(Run.rs & ~First) + (Run.rt & ~Second);
+    const auto Most = uint64_t(Run.rs | First) + (Run.rt | Second);
+    return Least >> 32 != Most >> 32;
+  } else if constexpr (Op >= Opcode::C_UN_S && Op <= Opcode::C_ULE_S) {
     return 1;
   } else {
     return AllUndefined;
