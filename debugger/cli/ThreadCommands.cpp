@@ -111,7 +111,7 @@ void printWrite(Shell &S, const WriteRecord &Write, uint32_t Address,
                 uint32_t Bytes) {
   uint32_t Selected = S.Thread;
   unsigned Frame = S.FrameIndex;
-  S.Program.visit(Write.At, [&] {
+  S.Program.replay().visit(Write.At, [&] {
     S.select(Write.Thread);
     S.changed();
     S.OS << "written by " << S.threadName(Write.Thread) << " in "
@@ -120,7 +120,7 @@ void printWrite(Shell &S, const WriteRecord &Write, uint32_t Address,
     constexpr uint32_t MostBytes = 32;
     uint32_t Shown = std::min(Bytes, MostBytes);
     std::string Old = bytesAt(S, Write.Thread, Address, Shown);
-    S.Program.moveByOne(Write.Thread);
+    S.Program.replay().goTo({Write.At.Time + 1, 0});
     S.OS << ": " << Old << " -> " << bytesAt(S, Write.Thread, Address, Shown)
          << '\n';
     S.Program.replay().goTo(Here);
@@ -167,12 +167,14 @@ llvm::Error whoWroteCommand(Shell &S, CommandArguments Arguments) {
                              utohexstr(Address, true, 8));
   LastWrite Write = AsLoaded();
   auto Ask = [&] {
-    Write = S.Program.replay().lastWrite(S.Thread, Address, Bytes);
+    Write = S.Program.lastWrite(S.Thread, Address, Bytes);
   };
   if (Before)
-    S.Program.visit({*Before, 0}, Ask);
+    S.Program.replay().visit({*Before, 0}, Ask);
   else
     Ask();
+  if (std::holds_alternative<SearchInterrupted>(Write))
+    return createStringError("Interrupted before the write was found.");
   S.OS << format_hex(Address, 10) << ", " << Bytes << " bytes: ";
   if (std::holds_alternative<AsLoaded>(Write))
     S.OS << "as the program was loaded; nobody wrote\n";

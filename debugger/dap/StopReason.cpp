@@ -36,7 +36,7 @@ StringRef breakpointWord(const SessionStop &Stop,
 /// The watched bytes as a value of their type, or as bytes.
 std::string watchedText(ArrayRef<uint8_t> Bytes, const SessionStop &Stop,
                         Session &Program) {
-  if (!Stop.WatchedType)
+  if (!Stop.WatchedType || Stop.WatchedType->Size != Bytes.size())
     return "0x" + toHex(Bytes, /*LowerCase=*/true);
   FrameContext Frame = Program.context(Stop.Thread);
   return Program.printer().summary(

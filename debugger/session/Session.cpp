@@ -258,11 +258,10 @@ SessionStop Session::goTo(uint64_t Time) {
   return Result;
 }
 
-void Session::visit(Moment At, function_ref<void()> Do) {
-  Moment Now = Machine->now();
-  Machine->goTo(At);
-  Do();
-  Machine->goTo(Now);
+LastWrite Session::lastWrite(uint32_t Thread, uint32_t Address,
+                             uint32_t Bytes) {
+  StopRequested = false;
+  return Machine->lastWrite(Thread, Address, Bytes);
 }
 
 } // namespace tp

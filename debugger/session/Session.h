@@ -128,8 +128,8 @@ public:
 
   /// To the thread's next instruction, without regard to breakpoints.
   SessionStop moveByOne(uint32_t Thread);
-  /// Calls \p Do at another moment, and comes back.
-  void visit(Moment At, llvm::function_ref<void()> Do);
+  /// Who wrote last to some bytes; see Replay.
+  LastWrite lastWrite(uint32_t Thread, uint32_t Address, uint32_t Bytes);
 
   /// How a thread sees memory and registers. Lives as long as the session.
   const MachineAccess &machine(uint32_t Thread);

@@ -62,11 +62,12 @@ ThreadTiming CycleReplay::timing(uint32_t Number) const {
     Result.Reason = Loss::Sync;
   else if (Waits == Awaited::Line)
     Result.Reason = Loss::IcacheMiss;
-  if (Result.Reason || Place.Word >= Text.instructions().size())
+  const uint32_t Word = nextTimedWord(Text, Place.Word);
+  if (Result.Reason || Word >= Text.instructions().size())
     return Result;
   // The source that is ready last; of those still pending the farthest.
   for (const RequestUnderWay &Request : Result.UnderWay) {
-    const auto &Sources = Text.instructions()[Place.Word].Source;
+    const auto &Sources = Text.instructions()[Word].Source;
     if (Request.Register == 0 ||
         std::ranges::find(Sources, Request.Register) == std::end(Sources))
       continue;
@@ -89,10 +90,11 @@ ReplayThread CycleReplay::thread(uint32_t Number) const {
   const Thread &T = Time.engine().thread(Number);
   ReplayThread Result;
   Result.Registers = T.Registers;
-  Result.Pc = Text.textBegin() + Time.engine().placeOf(Number).Word * 4;
+  const ThreadPlace Place = Time.engine().placeOf(Number);
+  Result.Pc = Text.textBegin() + nextTimedWord(Text, Place.Word) * 4;
   Result.State = T.State;
   Result.Status = T.Status;
-  Result.Instructions = issuedBy(T, Time.engine().placeOf(Number).Cycle);
+  Result.Instructions = issuedBy(T, Place.Cycle);
   Result.Timing = timing(Number);
   return Result;
 }

@@ -33,6 +33,7 @@ private:
   uint64_t pointBefore(uint64_t Cycle) const override {
     return Time.pointBefore(Cycle);
   }
+  uint64_t nextTime(EventPlace Place) const override { return Place.At.Time; }
   Moment momentOf(uint64_t Cycle, uint32_t Thread) const override {
     return {Cycle, orderOf(Chip, Cycle, Thread)};
   }
@@ -40,7 +41,7 @@ private:
     return Time.engine().thread(Number).LocalStoreBias;
   }
   GlobalHistory &history() override { return Time.history(); }
-  void change(const std::function<void()> &Function) override {
+  void changeMachine(const std::function<void()> &Function) override {
     Time.change(Function);
   }
   void setNextWord(uint32_t Number, uint32_t Word) override {

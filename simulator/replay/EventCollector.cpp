@@ -23,7 +23,7 @@ void EventCollector::issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
   const std::lock_guard Guard(Lock);
   std::optional<FoundEvent> &Own = Tentative[T.Number];
   if (Own)
-    keep(*Own);
+    Best = Best ? better(*Best, *Own) : *Own;
   Own.reset();
   const Moment At{Cycle, orderOf(Chip, Cycle, T.Number)};
   if (!Matcher.mayMatch(At))
@@ -34,10 +34,7 @@ void EventCollector::issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
       };
   Probe Place{T.Number, Text.textBegin() + Word * 4, At, T.Registers, Read};
   Own = Matcher.match(Place);
-  if (!Own || Matcher.kept() != EventMatcher::First)
-    return;
-  MayHaveFound = true;
-  if (StopFlag)
+  if (Own && Matcher.kept() == EventMatcher::First && StopFlag)
     *StopFlag = true;
 }
 
@@ -46,20 +43,18 @@ void EventCollector::postponed(const Thread &T) {
   Tentative[T.Number].reset();
 }
 
-void EventCollector::keep(const FoundEvent &Candidate) {
-  if (!Best || (Matcher.kept() == EventMatcher::First
-                    ? Candidate.place() < Best->place()
-                    : Candidate.place() > Best->place()))
-    Best = Candidate;
+const FoundEvent &EventCollector::better(const FoundEvent &A,
+                                         const FoundEvent &B) const {
+  const bool IsFirst = A.place() < B.place();
+  return IsFirst == (Matcher.kept() == EventMatcher::First) ? A : B;
 }
 
-std::optional<FoundEvent> EventCollector::found() {
-  for (std::optional<FoundEvent> &Own : Tentative) {
+std::optional<FoundEvent> EventCollector::found() const {
+  std::optional<FoundEvent> Result = Best;
+  for (const std::optional<FoundEvent> &Own : Tentative)
     if (Own)
-      keep(*Own);
-    Own.reset();
-  }
-  return Best;
+      Result = Result ? better(*Result, *Own) : *Own;
+  return Result;
 }
 
 } // namespace tp

@@ -36,16 +36,20 @@ public:
   const std::vector<bool> &words() const { return Matcher.words(); }
   /// Sets \p Flag as soon as the first event may have been found.
   void setFlag(std::atomic<bool> *Flag) { StopFlag = Flag; }
-  bool mayHaveFound() const { return MayHaveFound; }
+  /// Whether the first event was found up to the end of a run.
+  bool hasStopped() const {
+    return Matcher.kept() == EventMatcher::First && found();
+  }
   /// What was found up to the end of a run.
-  std::optional<FoundEvent> found();
+  std::optional<FoundEvent> found() const;
 
   void issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
                const TmRunnerState &Runner) override;
   void postponed(const Thread &T) override;
 
 private:
-  void keep(const FoundEvent &Candidate);
+  /// The one to keep of the two.
+  const FoundEvent &better(const FoundEvent &A, const FoundEvent &B) const;
 
   const ChipConfig &Chip;
   const Program &Text;
@@ -55,7 +59,6 @@ private:
   std::vector<std::optional<FoundEvent>> Tentative;
   std::optional<FoundEvent> Best;
   std::atomic<bool> *StopFlag = nullptr;
-  std::atomic<bool> MayHaveFound = false;
 };
 
 } // namespace tp

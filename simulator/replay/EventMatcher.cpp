@@ -9,6 +9,14 @@
 
 namespace tp {
 
+uint32_t nextTimedWord(const Program &Text, uint32_t Word) {
+  std::span<const Instruction> All = Text.instructions();
+  while (Word < All.size() && All[Word].Op != IllegalOpcode &&
+         !takesTime(All[Word].Op))
+    ++Word;
+  return Word;
+}
+
 EventMatcher::EventMatcher(const ChipConfig &Chip, const Program &Text,
                            const Events &Wanted, Which Kept,
                            std::optional<EventPlace> After,
@@ -24,11 +32,7 @@ EventMatcher::EventMatcher(const ChipConfig &Chip, const Program &Text,
     else
       Of.resize(All.size());
     for (uint32_t Pc : Event.Pcs) {
-      size_t Word = (Pc - Text.textBegin()) / 4;
-      // Threads pass over what takes no time.
-      while (Word < All.size() && All[Word].Op != IllegalOpcode &&
-             !takesTime(All[Word].Op))
-        ++Word;
+      const uint32_t Word = nextTimedWord(Text, (Pc - Text.textBegin()) / 4);
       if (Word < All.size())
         Words[Word] = Of[Word] = true;
     }

@@ -19,6 +19,10 @@
 
 namespace tp {
 
+/// The first word from \p Word on that takes time: threads pass over the
+/// others.
+uint32_t nextTimedWord(const Program &Text, uint32_t Word);
+
 /// Where an event stands among all: an access comes behind the instruction that
 /// makes it.
 struct EventPlace {

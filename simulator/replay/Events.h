@@ -92,7 +92,8 @@ struct ReplayStop {
   /// Which of Events::Instructions or Events::Accesses it was.
   size_t Event = 0;
   /// Of an access: what the instruction accessed, whether it wrote, and the
-  /// event's bytes before and after it.
+  /// event's bytes before and after it. If another thread traps in the same
+  /// cycle the machine stands before the access, and New is empty.
   uint32_t AccessAddress = 0;
   uint32_t AccessBytes = 0;
   bool IsWrite = false;

@@ -33,12 +33,15 @@ private:
   uint64_t pointBefore(uint64_t At) const override {
     return Time.pointBefore(At);
   }
+  uint64_t nextTime(EventPlace Place) const override {
+    return Place.At.Time + Place.IsAccess;
+  }
   Moment momentOf(uint64_t At, uint32_t) const override { return {At, 0}; }
   uintptr_t localStoreBias(uint32_t Number) const override {
     return Time.machine().thread(Number).LocalStoreBias;
   }
   GlobalHistory &history() override { return Time.history(); }
-  void change(const std::function<void()> &Function) override {
+  void changeMachine(const std::function<void()> &Function) override {
     Time.change(Function);
   }
   void setNextWord(uint32_t Number, uint32_t Word) override {

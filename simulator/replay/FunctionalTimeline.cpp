@@ -15,20 +15,13 @@ FunctionalTimeline::FunctionalTimeline(const ChipConfig &Chip,
                                        const Program &Text, Memory &Global,
                                        ReplayOptions Options)
     : Request(std::move(Options)), Machine(Chip, Text, Global), History(Global),
-      Stores(History), Points(History, Request.CheckpointBytes) {
+      Stores(History), Points(History, Request.CheckpointBytes),
+      Output(Request.Output) {
   if (!error().empty())
     return;
   Machine.setChecks(Stores);
-  Machine.setOutput([this](int Fd, std::string_view Bytes) {
-    const uint64_t Begin = std::exchange(Written, Written + Bytes.size());
-    if (Written <= Shown)
-      return;
-    if (Begin < Shown)
-      Bytes.remove_prefix(Shown - Begin);
-    Shown = Written;
-    if (Request.Output)
-      Request.Output(Fd, Bytes);
-  });
+  Machine.setOutput(
+      [this](int Fd, std::string_view Bytes) { Output.write(Fd, Bytes); });
   Points.begin(save(/*IsChange=*/false));
   advance(0);
 }
@@ -37,7 +30,7 @@ SavedPoint FunctionalTimeline::save(bool IsChange) {
   SavedPoint Result;
   Result.Time = time();
   Result.State = EngineSnapshot(Machine, /*IsPacked=*/true);
-  Result.Written = Written;
+  Result.Written = Output.written();
   Result.IsChange = IsChange;
   return Result;
 }
@@ -48,7 +41,7 @@ uint64_t FunctionalTimeline::pointBefore(uint64_t Time) const {
 
 void FunctionalTimeline::restored(const SavedPoint &From) {
   From.State.restore(Machine);
-  Written = From.Written;
+  Output.restore(From.Written);
   IsSettled = false;
   HasTrapped = false;
 }
@@ -84,18 +77,9 @@ RunResult FunctionalTimeline::search(FunctionalCollector &Wanted, uint64_t From,
 RunResult FunctionalTimeline::runTo(uint64_t Target) {
   FunctionalLimits Limits;
   Limits.PauseBefore = Target;
-  Limits.Stop = &StopNow;
-  Limits.Report = [this](const Progress &Now) {
-    if (Report)
-      Report(Now);
-    const Clock::duration Since = Clock::now() - LastPoint;
-    PointIsDue = !Points.next() && Since > PointInterval &&
-                 Since > PointCost * PointCostFactor;
-    if (PointIsDue || (UserFlag && *UserFlag))
-      StopNow = true;
-  };
-  StopNow = false;
-  PointIsDue = false;
+  Limits.Stop = Control.flag();
+  Limits.Report = [this](const Progress &Now) { Control.report(Now); };
+  Control.begin(/*MayMakePoints=*/!Points.next());
   RunResult Result = Machine.run(Limits);
   IsSettled = Result.End == RunResult::Paused;
   HasTrapped = Result.End == RunResult::Trapped;
@@ -121,7 +105,7 @@ RunResult FunctionalTimeline::advance(uint64_t Target) {
         hasFound())
       return Result;
     const bool IsInterrupted = Result.End == RunResult::Stopped;
-    if (IsInterrupted && (!PointIsDue || (UserFlag && *UserFlag)))
+    if (IsInterrupted && !Control.isPointDue())
       return Result;
     if (!IsInterrupted && KnownTime == Next) {
       if (Known->IsChange)
@@ -129,10 +113,7 @@ RunResult FunctionalTimeline::advance(uint64_t Target) {
       else
         Points.join();
     } else if (IsInterrupted || NewTime == Next) {
-      const Clock::time_point Start = Clock::now();
-      Points.add(save(/*IsChange=*/false));
-      LastPoint = Clock::now();
-      PointCost = LastPoint - Start;
+      Control.savePoint([&] { Points.add(save(/*IsChange=*/false)); });
     } else {
       return Result;
     }
@@ -142,7 +123,7 @@ RunResult FunctionalTimeline::advance(uint64_t Target) {
 void FunctionalTimeline::change(const std::function<void()> &Function) {
   Points.forgetLater();
   Function();
-  Shown = Written;
+  Output.forgetLater();
   const SavedPoint &Here = Points.anchor();
   if (Here.IsChange && Here.Time == time())
     Points.replaceAnchor(save(/*IsChange=*/true));

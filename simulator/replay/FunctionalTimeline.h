@@ -11,11 +11,11 @@
 #include "simulator/replay/FunctionalCollector.h"
 #include "simulator/replay/GlobalHistory.h"
 #include "simulator/replay/Replay.h"
+#include "simulator/replay/ReplayControl.h"
 #include "simulator/replay/SavedPoints.h"
 #include "simulator/replay/StoreHistory.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -38,8 +38,7 @@ public:
 
   /// For long runs: ends them when \p Flag is true, which may be null.
   void setControl(const std::atomic<bool> *Flag, ProgressFunction Function) {
-    UserFlag = Flag;
-    Report = std::move(Function);
+    Control.set(Flag, std::move(Function));
   }
 
   /// Goes to a time. If the run ends before, how; the machine is then at the
@@ -57,8 +56,6 @@ public:
   CheckpointUse use() const { return Points.use(); }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   /// Goes to the last point that is not behind \p Time, or stays.
   void restoreFor(uint64_t Time);
   void restored(const SavedPoint &From);
@@ -78,17 +75,9 @@ private:
   bool IsSettled = false;
   bool HasTrapped = false;
 
-  uint64_t Written = 0;
-  /// That the user has seen.
-  uint64_t Shown = 0;
-
-  const std::atomic<bool> *UserFlag = nullptr;
-  ProgressFunction Report;
+  ReplayOutput Output;
+  RunControl Control;
   FunctionalCollector *Collector = nullptr;
-  std::atomic<bool> StopNow = false;
-  bool PointIsDue = false;
-  Clock::time_point LastPoint = Clock::now();
-  Clock::duration PointCost{};
 };
 
 } // namespace tp

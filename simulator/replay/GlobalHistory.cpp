@@ -42,20 +42,36 @@ void GlobalHistory::save(uint32_t Number) {
         std::make_unique<MemoryLayer::PageWriters>(*Writers[Number]);
 }
 
-void GlobalHistory::writing(const GlobalWrite &Write) {
-  uint64_t At = Write.Address;
-  const uint64_t End = At + Write.Bytes;
-  while (At != End) {
-    const auto Number = uint32_t(At / MemoryLayer::PageBytes);
-    save(Number);
-    if (!Writers[Number])
-      Writers[Number] = std::make_unique<MemoryLayer::PageWriters>();
+namespace {
+/// Calls \p Function(page, number of a word in it, bytes of the word) for each
+/// word that has some of the bytes [At, End).
+template <class Callable>
+void forEachWord(uint64_t At, uint64_t End, Callable Function) {
+  while (At < End) {
     const uint64_t WordEnd = std::min(End, At / 4 * 4 + 4);
     const auto Mask = uint8_t(((1u << (WordEnd - At)) - 1) << (At % 4));
-    (*Writers[Number])[At % MemoryLayer::PageBytes / 4] = {
-        Write.Cycle, Write.Thread, Write.Pc, Mask};
+    Function(uint32_t(At / MemoryLayer::PageBytes),
+             uint32_t(At % MemoryLayer::PageBytes / 4), Mask);
     At = WordEnd;
   }
+}
+} // namespace
+
+void GlobalHistory::writing(const GlobalWrite &Write) {
+  forEachWord(Write.Address, uint64_t(Write.Address) + Write.Bytes,
+              [&](uint32_t Page, uint32_t Word, uint8_t Mask) {
+                save(Page);
+                if (!Writers[Page])
+                  Writers[Page] = std::make_unique<MemoryLayer::PageWriters>();
+                (*Writers[Page])[Word] = {Write.Cycle, Mask, Write.Thread,
+                                          Write.Pc};
+              });
+}
+
+void GlobalHistory::changing(uint32_t Address, uint32_t Bytes) {
+  const uint32_t Last = (Address + Bytes - 1) / MemoryLayer::PageBytes;
+  for (uint32_t Page = Address / MemoryLayer::PageBytes; Page <= Last; ++Page)
+    save(Page);
 }
 
 void GlobalHistory::open() {
@@ -96,24 +112,24 @@ void GlobalHistory::swap(MemoryLayer &Layer) {
   ++Serial;
 }
 
-std::optional<WordWriter> GlobalHistory::lastWriter(uint32_t Address,
-                                                    uint32_t Bytes) const {
-  WordWriter Last;
-  const uint64_t End = uint64_t(Address) + Bytes;
-  for (uint64_t At = Address; At != End;) {
-    const uint64_t WordEnd = std::min(End, At / 4 * 4 + 4);
-    const auto Mask = uint8_t(((1u << (WordEnd - At)) - 1) << (At % 4));
-    const auto &Page = Writers[At / MemoryLayer::PageBytes];
+std::optional<std::vector<WordWriter>>
+GlobalHistory::lastWriters(uint32_t Address, uint32_t Bytes) const {
+  std::vector<WordWriter> Last;
+  bool AreKnown = true;
+  const uint64_t End = std::min(uint64_t(Address) + Bytes, Global.size());
+  forEachWord(Address, End, [&](uint32_t Page, uint32_t Word, uint8_t Mask) {
     const WordWriter Writer =
-        Page ? (*Page)[At % MemoryLayer::PageBytes / 4] : WordWriter();
-    At = WordEnd;
-    if (Writer.Thread == WordWriter::Nobody)
-      continue;
-    if ((Writer.Bytes & Mask) == 0)
-      return std::nullopt;
-    if (Last.Thread == WordWriter::Nobody || Writer.Cycle > Last.Cycle)
-      Last = Writer;
-  }
+        Writers[Page] ? (*Writers[Page])[Word] : WordWriter();
+    if (Writer.Bytes == 0)
+      return;
+    AreKnown &= (Writer.Bytes & Mask) != 0;
+    if (!Last.empty() && Writer.Cycle > Last.front().Cycle)
+      Last.clear();
+    if (Last.empty() || Writer.Cycle == Last.front().Cycle)
+      Last.push_back(Writer);
+  });
+  if (!AreKnown)
+    return std::nullopt;
   return Last;
 }
 

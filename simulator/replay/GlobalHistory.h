@@ -21,16 +21,13 @@ namespace tp {
 
 /// Who wrote last to a word.
 struct WordWriter {
-  /// In place of a thread.
-  static constexpr uint32_t Nobody = ~uint32_t(0);
-  static constexpr uint32_t User = Nobody - 1;
-
-  uint64_t Cycle = 0;
-  uint32_t Thread = Nobody;
+  uint64_t Cycle : 60 = 0;
+  /// The bytes of the word that it wrote, one bit each; 0: nobody wrote.
+  uint64_t Bytes : 4 = 0;
+  uint32_t Thread = 0;
   uint32_t Pc = 0;
-  /// The bytes of the word that it wrote, one bit each.
-  uint8_t Bytes = 0;
 };
+static_assert(sizeof(WordWriter) == 16, "there is one for each word");
 
 /// The pages of global memory that differ between two moments, with their
 /// contents at one of the two, and who wrote them last there.
@@ -64,6 +61,8 @@ public:
         SavedIn(Writers.size()) {}
 
   void writing(const GlobalWrite &Write) override;
+  /// Before the user changes these bytes of the memory.
+  void changing(uint32_t Address, uint32_t Bytes);
 
   /// From here on, what changes is kept in a new open layer, above the others.
   void open();
@@ -77,9 +76,11 @@ public:
   /// Exchanges the pages of \p Layer with those of the memory.
   void swap(MemoryLayer &Layer);
 
-  /// The last writer of one of the bytes; none if a word's last writer wrote
-  /// only others of its bytes, so that it is not known.
-  std::optional<WordWriter> lastWriter(uint32_t Address, uint32_t Bytes) const;
+  /// Those who wrote last to one of the bytes, all in one cycle; empty if
+  /// nobody did. Nothing if a word's last writer wrote only others of its
+  /// bytes, so that it is not known.
+  std::optional<std::vector<WordWriter>> lastWriters(uint32_t Address,
+                                                     uint32_t Bytes) const;
   /// Bytes of host memory of open layers and writers.
   uint64_t bytes() const;
 

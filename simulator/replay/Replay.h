@@ -83,7 +83,10 @@ struct AsLoaded {};
 struct WrittenByUser {
   Moment At;
 };
-using LastWrite = std::variant<AsLoaded, WrittenByUser, WriteRecord>;
+/// The stop flag was set before the answer was found.
+struct SearchInterrupted {};
+using LastWrite =
+    std::variant<AsLoaded, WrittenByUser, WriteRecord, SearchInterrupted>;
 
 /// What going back costs at the moment.
 struct CheckpointUse {
@@ -115,7 +118,7 @@ class Replay {
 public:
   virtual ~Replay() = default;
 
-  /// Stops forward() and backward() soon when this becomes true.
+  /// Stops forward(), backward() and lastWrite() soon when this becomes true.
   void setStopFlag(const std::atomic<bool> *Flag) { StopFlag = Flag; }
   /// Called about ten times a second in long moves.
   void setProgress(ProgressFunction Function) { Report = std::move(Function); }
@@ -134,6 +137,9 @@ public:
   virtual ReplayStop backward(const Events &Wanted) = 0;
   /// Goes to a moment, or to where the run ends before it.
   virtual ReplayStop goTo(Moment Target) = 0;
+  /// Calls \p Function at another moment and comes back. The events behind now
+  /// are then the same as before.
+  virtual void visit(Moment There, const std::function<void()> &Function) = 0;
 
   /// Changes a running program. From here on it goes another way, and what was
   /// known of later moments is forgotten; going back before the change and
@@ -148,8 +154,8 @@ public:
   /// outside the text.
   virtual bool setPc(uint32_t Number, uint32_t Pc) = 0;
 
-  /// Who wrote last, before now, to one of the bytes, in the local store of
-  /// thread \p Number if they are there. The moment stays.
+  /// Who wrote last to one of the bytes, of all that is in memory now; in the
+  /// local store of thread \p Number if they are there. The moment stays.
   virtual LastWrite lastWrite(uint32_t Number, uint32_t Address,
                               uint32_t Bytes) = 0;
 

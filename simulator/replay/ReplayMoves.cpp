@@ -11,6 +11,13 @@
 
 namespace tp {
 
+void ReplayMoves::change(const std::function<void()> &Function) {
+  std::erase_if(UserWrites, [this](const UserWrite &Write) {
+    return Write.Time > Now.Time;
+  });
+  changeMachine(Function);
+}
+
 uint8_t *ReplayMoves::host(uint32_t Number, uint32_t Address,
                            uint64_t Bytes) const {
   return hostBytes(Space, localStoreBias(Number), Address, Bytes);
@@ -29,12 +36,13 @@ bool ReplayMoves::write(uint32_t Number, uint32_t Address,
   uint8_t *Target = host(Number, Address, Bytes.size());
   if (!Target || hasText(Space, Address, Bytes.size()))
     return false;
+  const auto Size = uint32_t(Bytes.size());
   change([&] {
     if (!Space.isLocal(Address))
-      history().writing(
-          {Now.Time, WordWriter::User, 0, Address, uint32_t(Bytes.size())});
+      history().changing(Address, Size);
     std::memcpy(Target, Bytes.data(), Bytes.size());
   });
+  UserWrites.push_back({Now.Time, Number, Address, Size});
   return true;
 }
 
@@ -70,10 +78,15 @@ std::optional<ReplayStop> ReplayMoves::stopAt(const FoundEvent &Found,
     Stop.AccessBytes = Found.Access.Bytes;
     Stop.IsWrite = Found.Access.Writes;
     Stop.Old = watchedBytes(Event);
-    if (std::optional<ReplayStop> End = moveTo({Found.At.Time + 1, 0});
-        End && End->Kind == ReplayStop::Trapped)
+    // Another thread may trap in the same cycle; New is then not to be had.
+    std::optional<ReplayStop> End = moveTo({Found.At.Time + 1, 0});
+    const bool HasTrapped = End && End->Kind == ReplayStop::Trapped;
+    if (HasTrapped && End->Thread == Found.Thread)
       return IsForward ? End : std::nullopt;
-    Stop.New = watchedBytes(Event);
+    if (HasTrapped)
+      moveTo(Found.At);
+    else
+      Stop.New = watchedBytes(Event);
     if (Event.OnlyChanges && Stop.IsWrite && Stop.Old == Stop.New)
       return std::nullopt;
     Seen = Found.place();
@@ -91,7 +104,7 @@ ReplayStop ReplayMoves::forward(const Events &Wanted) {
   while (true) {
     const EventMatcher Matcher(Chip, Text, Wanted, EventMatcher::First, After,
                                std::nullopt);
-    const SearchResult Result = search(Matcher, After.At.Time, NoLimit);
+    const SearchResult Result = search(Matcher, nextTime(After), NoLimit);
     if (!Result.Found)
       return endOf(Result.Run);
     if (std::optional<ReplayStop> Stop =
@@ -148,39 +161,77 @@ ReplayStop ReplayMoves::goTo(Moment Target) {
   return Stop;
 }
 
+void ReplayMoves::visit(Moment There, const std::function<void()> &Function) {
+  const Moment Here = Now;
+  const EventPlace SeenHere = Seen;
+  goTo(There);
+  Function();
+  moveTo(Here);
+  Seen = SeenHere;
+}
+
+std::optional<uint64_t> ReplayMoves::userWrite(uint32_t Number,
+                                               uint32_t Address,
+                                               uint32_t Bytes) const {
+  std::optional<uint64_t> Last;
+  for (const UserWrite &Write : UserWrites)
+    if (Write.Time <= Now.Time &&
+        (Write.Thread == Number || !Space.isLocal(Address)) &&
+        Write.Address < uint64_t(Address) + Bytes &&
+        Address < uint64_t(Write.Address) + Write.Bytes)
+      Last = Write.Time;
+  return Last;
+}
+
 std::optional<LastWrite> ReplayMoves::knownWrite(uint32_t Address,
                                                  uint32_t Bytes) {
   if (Space.isLocal(Address))
     return std::nullopt;
-  const std::optional<WordWriter> Writer = history().lastWriter(Address, Bytes);
-  if (!Writer)
+  const std::optional<std::vector<WordWriter>> Writers =
+      history().lastWriters(Address, Bytes);
+  if (!Writers)
     return std::nullopt;
-  if (Writer->Thread == WordWriter::Nobody)
-    return AsLoaded{};
-  if (Writer->Thread == WordWriter::User)
-    return WrittenByUser{{Writer->Cycle, 0}};
-  return WriteRecord{momentOf(Writer->Cycle, Writer->Thread), Writer->Thread,
-                     Writer->Pc};
+  std::optional<WriteRecord> Last;
+  for (const WordWriter &Writer : *Writers) {
+    const Moment At = momentOf(Writer.Cycle, Writer.Thread);
+    if (!Last || At > Last->At)
+      Last = {At, Writer.Thread, Writer.Pc};
+  }
+  if (!Last)
+    return AsLoaded();
+  return *Last;
 }
 
-LastWrite ReplayMoves::lastWrite(uint32_t Number, uint32_t Address,
-                                 uint32_t Bytes) {
-  if (std::optional<LastWrite> Known = knownWrite(Address, Bytes))
-    return *Known;
-  const Moment Here = Now;
-  const EventPlace SeenHere = Seen;
+LastWrite ReplayMoves::searchWrite(uint32_t Number, uint32_t Address,
+                                   uint32_t Bytes) {
   Events Writes;
   AccessEvents &Any = Writes.Accesses.emplace_back();
   Any.Address = Address;
   Any.Bytes = Bytes;
   if (Space.isLocal(Address))
     Any.Thread = Number;
-  const ReplayStop Stop = backward(Writes);
+  const Moment Here = Now;
+  const SearchResult Result = findLast(Writes, {{Now.Time, 0}, false});
   moveTo(Here);
-  Seen = SeenHere;
-  if (Stop.Kind != ReplayStop::Access)
-    return AsLoaded{};
-  return WriteRecord{Stop.At, Stop.Thread, Stop.Pc};
+  if (Result.Run.End == RunResult::Stopped)
+    return SearchInterrupted();
+  if (!Result.Found)
+    return AsLoaded();
+  return WriteRecord{Result.Found->At, Result.Found->Thread, Result.Found->Pc};
+}
+
+LastWrite ReplayMoves::lastWrite(uint32_t Number, uint32_t Address,
+                                 uint32_t Bytes) {
+  const std::optional<LastWrite> Known = knownWrite(Address, Bytes);
+  const LastWrite Last = Known ? *Known : searchWrite(Number, Address, Bytes);
+  const std::optional<uint64_t> User = userWrite(Number, Address, Bytes);
+  if (!User || std::holds_alternative<SearchInterrupted>(Last))
+    return Last;
+  // What the program does at the same time, it does behind the change.
+  const auto *Written = std::get_if<WriteRecord>(&Last);
+  if (Written && Written->At.Time >= *User)
+    return Last;
+  return WrittenByUser{{*User, 0}};
 }
 
 } // namespace tp

@@ -26,6 +26,7 @@ public:
   ReplayStop forward(const Events &Wanted) override;
   ReplayStop backward(const Events &Wanted) override;
   ReplayStop goTo(Moment Target) override;
+  void visit(Moment There, const std::function<void()> &Function) override;
 
   bool write(uint32_t Number, uint32_t Address,
              std::span<const uint8_t> Bytes) override;
@@ -55,13 +56,18 @@ protected:
   virtual ReplayStop endOf(const RunResult &Result) = 0;
   /// The time of the last checkpoint before \p Time; 0 if there is none.
   virtual uint64_t pointBefore(uint64_t Time) const = 0;
+  /// The time of the first event that may come behind \p Place.
+  virtual uint64_t nextTime(EventPlace Place) const = 0;
   /// When a thread does something at a time.
   virtual Moment momentOf(uint64_t Time, uint32_t Thread) const = 0;
   virtual uintptr_t localStoreBias(uint32_t Number) const = 0;
   virtual GlobalHistory &history() = 0;
-  /// Lets \p Function change the machine or the memory now.
-  virtual void change(const std::function<void()> &Function) = 0;
+  /// Lets \p Function change the machine or the memory now, and forgets what
+  /// was known of later moments.
+  virtual void changeMachine(const std::function<void()> &Function) = 0;
   virtual void setNextWord(uint32_t Number, uint32_t Word) = 0;
+
+  void change(const std::function<void()> &Function);
 
   const ChipConfig Chip;
   const Program &Text;
@@ -78,8 +84,23 @@ private:
   std::vector<uint8_t> watchedBytes(const AccessEvents &Event) const;
   /// The last event before \p Before.
   SearchResult findLast(const Events &Wanted, EventPlace Before);
-  /// What the history knows.
+  /// The last write of the program; nothing if the history does not know it.
   std::optional<LastWrite> knownWrite(uint32_t Address, uint32_t Bytes);
+  /// Likewise, by going back.
+  LastWrite searchWrite(uint32_t Number, uint32_t Address, uint32_t Bytes);
+  /// The time of the user's last write that is in memory now.
+  std::optional<uint64_t> userWrite(uint32_t Number, uint32_t Address,
+                                    uint32_t Bytes) const;
+
+  /// Bytes that the user wrote, in the local store of Thread if they are there.
+  struct UserWrite {
+    uint64_t Time = 0;
+    uint32_t Thread = 0;
+    uint32_t Address = 0;
+    uint32_t Bytes = 0;
+  };
+  /// In the order of their times.
+  std::vector<UserWrite> UserWrites;
 };
 
 } // namespace tp

@@ -18,16 +18,10 @@
 #include "simulator/replay/GlobalHistory.h"
 #include "simulator/replay/Replay.h"
 
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
 namespace tp {
-
-/// How long a state far from any point takes to come back to, at most; and what
-/// part of the time points may cost.
-inline constexpr std::chrono::milliseconds PointInterval{300};
-inline constexpr int PointCostFactor = 8;
 
 /// A state of a run, but global memory.
 struct SavedPoint {

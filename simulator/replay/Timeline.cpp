@@ -16,28 +16,15 @@ Timeline::Timeline(const ChipConfig &Chip, const Program &Text, Memory &Global,
                    ReplayOptions Request)
     : Chip(Chip), Request(std::move(Request)),
       Machine(Chip, Text, Global, makeMemorySystem(Chip)), History(Global),
-      Points(History, this->Request.CheckpointBytes) {
+      Points(History, this->Request.CheckpointBytes),
+      Output(this->Request.Output) {
   if (!error().empty())
     return;
   Machine.setHostThreads(this->Request.HostThreads);
   Machine.setCommitObserver(&History);
-  Machine.setOutput([this](int Fd, std::string_view Bytes) {
-    const uint64_t Begin = std::exchange(Written, Written + Bytes.size());
-    if (Written <= Shown)
-      return;
-    if (Begin < Shown)
-      Bytes.remove_prefix(Shown - Begin);
-    Shown = Written;
-    if (this->Request.Output)
-      this->Request.Output(Fd, Bytes);
-  });
+  Machine.setOutput(
+      [this](int Fd, std::string_view Bytes) { Output.write(Fd, Bytes); });
   Points.begin(save(/*IsChange=*/false));
-}
-
-void Timeline::setControl(const std::atomic<bool> *Flag,
-                          ProgressFunction Function) {
-  UserFlag = Flag;
-  Report = std::move(Function);
 }
 
 uint64_t Timeline::beginFor(uint64_t Cycle) const {
@@ -49,7 +36,7 @@ SavedPoint Timeline::save(bool IsChange) {
   SavedPoint Result;
   Result.Time = cycle();
   Result.State = EngineSnapshot(Machine, /*IsPacked=*/true);
-  Result.Written = Written;
+  Result.Written = Output.written();
   Result.IsChange = IsChange;
   return Result;
 }
@@ -62,14 +49,14 @@ void Timeline::restorePoint(size_t Number) {
   dropWindow();
   const SavedPoint &Begin = Points.restore(Number);
   Begin.State.restore(Machine);
-  Written = Begin.Written;
+  Output.restore(Begin.Written);
   IsCut = false;
 }
 
 void Timeline::restoreWindow() {
   History.undo();
   Window->State.restore(Machine);
-  Written = Window->Written;
+  Output.restore(Window->Written);
   IsCut = false;
 }
 
@@ -77,7 +64,8 @@ void Timeline::keepWindow() {
   if (Window && Window->Cycle == cycle())
     return;
   dropWindow();
-  Window = {cycle(), EngineSnapshot(Machine, /*IsPacked=*/false), Written};
+  Window = {cycle(), EngineSnapshot(Machine, /*IsPacked=*/false),
+            Output.written()};
   History.open();
 }
 
@@ -128,7 +116,7 @@ RunResult Timeline::search(EventCollector &Wanted, uint64_t From,
   restoreFor(beginFor(From));
   Machine.setIssueObserver(&Wanted, Wanted.words());
   Collector = &Wanted;
-  Wanted.setFlag(&StopNow);
+  Wanted.setFlag(Control.flag());
   RunResult Result = advance(Limit ? Limit : NeverCycle);
   IsCut = true;
   Collector = nullptr;
@@ -142,18 +130,9 @@ RunResult Timeline::runTo(uint64_t Target) {
     Limits.PauseCycle = Target;
   else if (Target != NeverCycle)
     Limits.MaxCycles = Target;
-  Limits.Stop = &StopNow;
-  Limits.Report = [this](const Progress &Now) {
-    if (Report)
-      Report(Now);
-    const Clock::duration Since = Clock::now() - LastPoint;
-    PointIsDue = !Points.next() && Since > PointInterval &&
-                 Since > PointCost * PointCostFactor;
-    if (PointIsDue || (UserFlag && *UserFlag))
-      StopNow = true;
-  };
-  StopNow = false;
-  PointIsDue = false;
+  Limits.Stop = Control.flag();
+  Limits.Report = [this](const Progress &Now) { Control.report(Now); };
+  Control.begin(/*MayMakePoints=*/!Points.next());
   return Machine.run(Limits);
 }
 
@@ -181,10 +160,9 @@ RunResult Timeline::advance(uint64_t Target) {
       IsCut = true;
       return Result;
     case RunResult::Stopped:
-      if (!PointIsDue || (UserFlag && *UserFlag))
-        return Result;
-      addPoint(/*IsChange=*/false);
-      if (Collector && Collector->mayHaveFound())
+      if (Control.isPointDue())
+        addPoint(/*IsChange=*/false);
+      else if (!Collector || Control.userStops())
         return Result;
       break;
     case RunResult::Paused:
@@ -197,6 +175,8 @@ RunResult Timeline::advance(uint64_t Target) {
         return Result;
       break;
     }
+    if (Collector && Collector->hasStopped())
+      return Result;
   }
 }
 
@@ -208,17 +188,16 @@ void Timeline::joinPoint() {
 }
 
 void Timeline::addPoint(bool IsChange) {
-  const Clock::time_point Start = Clock::now();
-  dropWindow();
-  Points.add(save(IsChange));
-  LastPoint = Clock::now();
-  PointCost = LastPoint - Start;
+  Control.savePoint([&] {
+    dropWindow();
+    Points.add(save(IsChange));
+  });
 }
 
 void Timeline::change(const std::function<void()> &Function) {
   Points.forgetLater();
   Function();
-  Shown = Written;
+  Output.forgetLater();
   const SavedPoint &Here = Points.anchor();
   if (Here.IsChange && Here.Time == cycle()) {
     dropWindow();

@@ -22,10 +22,10 @@
 #include "simulator/replay/EventCollector.h"
 #include "simulator/replay/GlobalHistory.h"
 #include "simulator/replay/Replay.h"
+#include "simulator/replay/ReplayControl.h"
 #include "simulator/replay/SavedPoints.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -48,7 +48,9 @@ public:
   uint64_t cycle() const { return Machine.cycles(); }
 
   /// For long runs: ends them when \p Flag is true, which may be null.
-  void setControl(const std::atomic<bool> *Flag, ProgressFunction Function);
+  void setControl(const std::atomic<bool> *Flag, ProgressFunction Function) {
+    Control.set(Flag, std::move(Function));
+  }
 
   /// Goes to a cycle. If the run ends before, how; the engine is then at the
   /// end. Stopped: somewhere before.
@@ -66,8 +68,6 @@ public:
   CheckpointUse use() const;
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   /// The beginning of the window that the engine is in, above the last point.
   struct WindowBegin {
     uint64_t Cycle = 0;
@@ -105,17 +105,9 @@ private:
   /// The engine cannot go on.
   bool IsCut = false;
 
-  uint64_t Written = 0;
-  /// That the user has seen.
-  uint64_t Shown = 0;
-
-  const std::atomic<bool> *UserFlag = nullptr;
-  ProgressFunction Report;
+  ReplayOutput Output;
+  RunControl Control;
   EventCollector *Collector = nullptr;
-  std::atomic<bool> StopNow = false;
-  bool PointIsDue = false;
-  Clock::time_point LastPoint = Clock::now();
-  Clock::duration PointCost{};
 };
 
 } // namespace tp

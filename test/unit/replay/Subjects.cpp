@@ -1,0 +1,180 @@
+//===- Subjects.cpp - Random programs to go back and forth in -------------===//
+//
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+//
+//===----------------------------------------------------------------------===//
+
+#include "test/unit/replay/Subjects.h"
+#include "simulator/core/LocalStore.h"
+#include "simulator/functional/FunctionalMachine.h"
+#include "simulator/replay/EventMatcher.h"
+
+#include "gtest/gtest.h"
+
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace tp::test {
+
+static void addMemory(State &To, const Memory &Global) {
+  To.Memory.assign(Global.data() + kGlobalMemoryBegin,
+                   Global.data() + Global.size());
+}
+
+static void addCounts(State &To, const Statistics &Counts) {
+  for (const PcStatistics &Pc : Counts.Pcs)
+    To.Executed.push_back(Pc.Executed);
+  for (const ThreadStatistics &Thread : Counts.Threads) {
+    To.Issued.push_back(Thread.Instructions);
+    To.Lost.push_back(Thread.Lost);
+  }
+}
+
+static void addThread(State &To,
+                      const std::array<uint32_t, NumRegisters> &Registers,
+                      uint32_t Pc, std::span<const uint8_t> LocalStore) {
+  To.Registers.push_back(Registers);
+  To.Pcs.push_back(Pc);
+  To.LocalStores.insert(To.LocalStores.end(), LocalStore.begin(),
+                        LocalStore.end());
+}
+
+State stateOf(const Replay &R, const ChipConfig &Chip, const Memory &Global) {
+  const LocalStoreRange Local(Chip.LocalStoreBytes);
+  State Result;
+  // Before its first cycle a machine has no counts.
+  if (R.now().Time != 0)
+    addCounts(Result, R.statistics());
+  for (uint32_t I = 0; I != R.threadCount(); ++I) {
+    const ReplayThread Thread = R.thread(I);
+    std::vector<uint8_t> Bytes(Local.Size);
+    EXPECT_TRUE(Bytes.empty() || R.read(I, Local.Begin, Bytes));
+    addThread(Result, Thread.Registers, Thread.Pc, Bytes);
+  }
+  addMemory(Result, Global);
+  return Result;
+}
+
+//===----------------------------------------------------------------------===//
+// With timing
+//===----------------------------------------------------------------------===//
+
+static State run(const CycleSubject &S, uint64_t Cycles, RunResult &Result,
+                 uint64_t &End) {
+  Memory Global(S.Chip.MemoryBytes);
+  S.Source.initialize(Global);
+  Engine Machine(S.Chip, S.Text, Global, makeMemorySystem(S.Chip));
+  RunLimits Limits;
+  Limits.MaxCycles = Cycles;
+  State Seen;
+  if (Cycles != 0) {
+    Result = Machine.run(Limits);
+    addCounts(Seen, Machine.statistics());
+  }
+  End = Result.End == RunResult::Trapped ? Result.TrapInfo->Cycle
+                                         : Machine.cycles();
+  const LocalStoreRange Local(S.Chip.LocalStoreBytes);
+  for (uint32_t I = 0; I != S.Chip.threadCount(); ++I) {
+    const Thread &T = Machine.thread(I);
+    addThread(
+        Seen, T.Registers,
+        S.Text.textBegin() + nextTimedWord(S.Text, Machine.placeOf(I).Word) * 4,
+        {reinterpret_cast<const uint8_t *>(T.LocalStoreBias + Local.Begin),
+         Local.Size});
+  }
+  addMemory(Seen, Global);
+  return Seen;
+}
+
+CycleSubject::CycleSubject(uint64_t Seed)
+    : Subject(Seed, Seed % 2 ? randomMemoryChip : randomChip, 3000) {
+  AtEnd = run(*this, Most, Result, End);
+}
+
+State CycleSubject::stateAt(uint64_t Time) const {
+  RunResult Ignored;
+  uint64_t IgnoredEnd;
+  return run(*this, Time, Ignored, IgnoredEnd);
+}
+
+std::unique_ptr<Replay> CycleSubject::makeReplay(Memory &Global,
+                                                 ReplayOptions Request,
+                                                 std::string &Error) const {
+  return makeCycleReplay(Chip, Text, Global, std::move(Request), Error);
+}
+
+//===----------------------------------------------------------------------===//
+// Without timing
+//===----------------------------------------------------------------------===//
+
+static State run(const FunctionalSubject &S, uint64_t Before,
+                 RunResult &Result) {
+  Memory Global(S.Chip.MemoryBytes);
+  S.Source.initialize(Global);
+  FunctionalMachine Machine(S.Chip, S.Text, Global);
+  FunctionalLimits Limits;
+  Limits.PauseBefore = Before;
+  Result = Machine.run(Limits);
+  State Seen;
+  if (Before != 0)
+    addCounts(Seen, Machine.statistics());
+  for (const ArchitecturalState &T : Machine.threads())
+    addThread(Seen, T.Registers, T.Pc,
+              {T.LocalStore, LocalStoreRange(S.Chip.LocalStoreBytes).Size});
+  addMemory(Seen, Global);
+  return Seen;
+}
+
+/// So many that turns end by themselves.
+static constexpr uint64_t MostInstructions = 100000;
+
+FunctionalSubject::FunctionalSubject(uint64_t Seed)
+    : Subject(Seed, randomChip, MostInstructions) {
+  AtEnd = run(*this, Most, Result);
+  End = std::reduce(AtEnd.Issued.begin(), AtEnd.Issued.end());
+}
+
+State FunctionalSubject::stateAt(uint64_t Time) const {
+  RunResult Ignored;
+  return run(*this, Time, Ignored);
+}
+
+std::unique_ptr<Replay>
+FunctionalSubject::makeReplay(Memory &Global, ReplayOptions Request,
+                              std::string &Error) const {
+  return makeFunctionalReplay(Chip, Text, Global, std::move(Request), Error);
+}
+
+//===----------------------------------------------------------------------===//
+// Replays
+//===----------------------------------------------------------------------===//
+
+Replayed::Replayed(Subject &S) : S(S), Global(S.Chip.MemoryBytes) {
+  S.Source.initialize(Global);
+  ReplayOptions Request;
+  Request.MaxCycles = S.Most;
+  Request.CheckpointCycles = S.Random.between(1, uint32_t(S.Most / 15));
+  Request.HostThreads = S.Random.between(1, 2);
+  // Some runs must do with few.
+  if (S.Random.oneIn(3))
+    Request.CheckpointBytes = S.Random.between(1, 4) << 16;
+  Request.Output = [this](int, std::string_view Bytes) { Output += Bytes; };
+  std::string Error;
+  Run = S.makeReplay(Global, std::move(Request), Error);
+  EXPECT_EQ(Error, "");
+}
+
+std::vector<ReplayStop> Replayed::all(const Events &Wanted) {
+  std::vector<ReplayStop> Stops;
+  Run->goTo({});
+  while (true) {
+    ReplayStop Stop = Run->forward(Wanted);
+    EXPECT_NE(Stop.Kind, ReplayStop::Interrupted);
+    if (Stop.Kind != ReplayStop::Instruction && Stop.Kind != ReplayStop::Access)
+      return Stops;
+    Stops.push_back(std::move(Stop));
+  }
+}
+
+} // namespace tp::test
