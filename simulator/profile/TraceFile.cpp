@@ -34,7 +34,11 @@ public:
 
   void write(ArrayRef<ThreadTrace> Traces) {
     Json.object([&] {
-      Json.attribute("displayTimeUnit", "ns");
+      Json.attributeObject("otherData", [&] {
+        Json.attribute("chip", Chip.Name);
+        Json.attribute("clock_ghz", Chip.ClockGHz);
+        Json.attribute("microsecond", "a cycle");
+      });
       Json.attributeArray("traceEvents", [&] {
         for (const ThreadTrace &Trace : Traces)
           writeTrace(Trace);
@@ -114,8 +118,9 @@ private:
       Json.attribute("ph", "X");
       Json.attribute("pid", Process);
       Json.attribute("tid", Track);
-      Json.attribute("ts", microseconds(Cycles.Begin));
-      Json.attribute("dur", microseconds(Cycles.End - Cycles.Begin));
+      // Viewers round to nanoseconds: a cycle may be less.
+      Json.attribute("ts", Cycles.Begin);
+      Json.attribute("dur", Cycles.End - Cycles.Begin);
       Json.attributeObject("args", [&] {
         Json.attribute("cycle", Cycles.Begin);
         Json.attribute("cycles", Cycles.End - Cycles.Begin);
@@ -139,9 +144,6 @@ private:
 
   uint32_t pcOf(uint32_t Word) const {
     return Program.text().Address + Word * 4;
-  }
-  double microseconds(uint64_t Cycles) const {
-    return double(Cycles) / (Chip.ClockGHz * 1e3);
   }
 
   const SourceFrame &placeAt(uint32_t Word) {

@@ -15,8 +15,8 @@
 
 namespace tp {
 
-/// Writes traces for https://ui.perfetto.dev and chrome://tracing, over the
-/// time at the chip's clock: a process for each TM; of each thread a track with
+/// Writes traces for https://ui.perfetto.dev and chrome://tracing, in which a
+/// microsecond is a cycle: a process for each TM; of each thread a track with
 /// its issues and stalls and, below, its accesses to global memory that are
 /// under way.
 void writeThreadTraces(llvm::ArrayRef<ThreadTrace> Traces,

@@ -30,6 +30,9 @@ def end_of(span):
 def check_spans(spans, first, end):
     at = first
     for span in spans:
+        if (span["ts"], span["dur"]) != (span["args"]["cycle"],
+                                         span["args"]["cycles"]):
+            sys.exit(f"{span}: its time is not that of its cycles")
         if span["args"]["cycle"] != at:
             sys.exit(f"gap before {span}: expected cycle {at}")
         at = end_of(span)
