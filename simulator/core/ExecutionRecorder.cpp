@@ -58,7 +58,8 @@ void RecorderPart::served(const AnsweredRequest &Answer) {
   ServedAccesses &Sum = Counts.Served[Answer.Word][unsigned(Answer.Level)];
   ++Sum.Accesses;
   Sum.Cycles += Answer.Ready - Answer.Issued;
-  if (!Owner.IsTraced.empty() && Owner.IsTraced[Answer.Thread])
+  if (!Owner.IsTraced.empty() && Owner.IsTraced[Answer.Thread] &&
+      Answer.Issued < Owner.EndOfTraced && Answer.Ready > Owner.FirstTraced)
     Answers.push_back(Answer);
 }
 
@@ -68,7 +69,10 @@ ExecutionRecorder::ExecutionRecorder(const ChipConfig &Chip,
     : Chip(Chip), Text(Text), Functions(Text, std::move(Entries)),
       Transfers(transfersOf(Text, Functions)) {}
 
-void ExecutionRecorder::traceRequests(uint32_t Thread) {
+void ExecutionRecorder::traceRequests(uint32_t Thread, uint64_t First,
+                                      uint64_t End) {
+  FirstTraced = First;
+  EndOfTraced = End;
   IsTraced.resize(Chip.threadCount());
   IsTraced[Thread] = true;
 }
@@ -169,11 +173,9 @@ void ExecutionRecorder::recordAccesses(const Statistics &Now,
     if (Chip.hasMemorySystem() || Memory.Global == 0)
       continue;
     // Nobody answers stores.
-    bool HasAnswer =
-        Text.instructions()[Word].Op != IllegalOpcode &&
-        latencyClassOf(Text.instructions()[Word].Op) != LatencyClass::Store;
-    Memory.Served[unsigned(ServedBy::Memory)] = {
-        Memory.Global, HasAnswer ? Memory.Global * Chip.MemoryLatency : 0};
+    if (latencyClassOf(Text.instructions()[Word].Op) != LatencyClass::Store)
+      Memory.Served[unsigned(ServedBy::Memory)] = {
+          Memory.Global, Memory.Global * Chip.MemoryLatency};
   }
 }
 

@@ -109,8 +109,9 @@ public:
     return Transfers[Word] != Transfer::None;
   }
 
-  /// Also keeps the answers to requests of a thread.
-  void traceRequests(uint32_t Thread);
+  /// Also keeps the answers to requests of a thread that are under way in
+  /// cycles from \p First to before \p End, which are the same for all threads.
+  void traceRequests(uint32_t Thread, uint64_t First, uint64_t End);
   /// Those that were kept, in no order.
   std::vector<AnsweredRequest> tracedRequests() const;
 
@@ -178,6 +179,8 @@ private:
   const std::vector<Transfer> Transfers;
   /// Of all threads whether their requests are kept; empty for none.
   std::vector<bool> IsTraced;
+  uint64_t FirstTraced = 0;
+  uint64_t EndOfTraced = 0;
   CallTree Tree;
   std::vector<ThreadCalls> Threads;
   std::deque<RecorderPart> Parts;

@@ -6,6 +6,7 @@
 
 #include "simulator/profile/StackTree.h"
 
+#include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/STLExtras.h"
 
 #include <algorithm>
@@ -20,29 +21,28 @@ namespace {
 /// it.
 class Shares {
 public:
-  explicit Shares(std::vector<uint64_t> Weights) : Weights(std::move(Weights)) {
-    for (uint64_t Weight : this->Weights)
-      Sum += Weight;
+  explicit Shares(ArrayRef<uint64_t> Weights) : UpTo(1) {
+    for (uint64_t Weight : Weights)
+      UpTo.push_back(UpTo.back() + Weight);
   }
 
   /// The share of \p Count that has this number. Without any weight the first
   /// has all.
   uint64_t of(uint64_t Count, size_t Number) const {
-    if (Sum == 0)
+    if (UpTo.back() == 0)
       return Number == 0 ? Count : 0;
-    uint64_t Before = 0;
-    for (size_t I = 0; I != Number; ++I)
-      Before += Weights[I];
-    return upTo(Count, Before + Weights[Number]) - upTo(Count, Before);
+    return before(Count, Number + 1) - before(Count, Number);
   }
 
 private:
-  uint64_t upTo(uint64_t Count, uint64_t Weight) const {
-    return uint64_t(static_cast<unsigned __int128>(Count) * Weight / Sum);
+  /// Of \p Count the shares before one.
+  uint64_t before(uint64_t Count, size_t Number) const {
+    return uint64_t(static_cast<unsigned __int128>(Count) * UpTo[Number] /
+                    UpTo.back());
   }
 
-  std::vector<uint64_t> Weights;
-  uint64_t Sum = 0;
+  /// Sums of the weights before each, and of all.
+  std::vector<uint64_t> UpTo;
 };
 
 } // namespace
@@ -101,7 +101,7 @@ void StackTree::addInstruction(const ProfileInstruction &Instruction) {
     std::vector<uint64_t> Weights;
     for (uint32_t Call : Calls)
       Weights.push_back(Weight(Data.Calls[Call].Self));
-    return Shares(std::move(Weights));
+    return Shares(Weights);
   };
   Shares Issued =
       SharesBy([](const ProfileCounts &Counts) { return Counts.Instructions; });

@@ -96,6 +96,8 @@ void ThreadTracer::addFixedAccesses(ThreadTrace &Trace) const {
 std::vector<ThreadTrace>
 ThreadTracer::finish(const Statistics &Now,
                      std::span<const AnsweredRequest> Answers) {
+  for (const AnsweredRequest &Answer : Answers)
+    Courses[CourseOf[Answer.Thread] - 1].Result.Accesses.push_back(Answer);
   std::vector<ThreadTrace> Result;
   for (Course &Of : Courses) {
     const ThreadStatistics &Thread = Now.Threads[Of.Result.Thread];
@@ -104,10 +106,6 @@ ThreadTracer::finish(const Statistics &Now,
     addStalls(Of, Thread.Lost, Now.Cycles, Of.LastWord);
     if (!Chip.hasMemorySystem())
       addFixedAccesses(Of.Result);
-    for (const AnsweredRequest &Answer : Answers)
-      if (Answer.Thread == Of.Result.Thread &&
-          overlaps(Answer.Issued, Answer.Ready))
-        Of.Result.Accesses.push_back(Answer);
     std::ranges::sort(Of.Result.Accesses, {}, [](const AnsweredRequest &A) {
       return std::tuple(A.Issued, A.Ready, A.Word);
     });

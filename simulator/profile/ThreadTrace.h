@@ -53,6 +53,7 @@ struct ThreadTrace {
 /// the text.
 class ThreadTracer final : public IssueObserver {
 public:
+  /// \p Threads are different ones.
   ThreadTracer(const ChipConfig &Chip, const Program &Text,
                std::vector<uint32_t> Threads, CycleRange Range);
 
@@ -61,7 +62,8 @@ public:
   void postponed(const Thread &T) override;
 
   /// The traces of a run that has ended with these statistics, in the order of
-  /// the threads as they were given. \p Answers are those of all of them.
+  /// the threads as they were given. \p Answers are those in the range, of all
+  /// of them.
   std::vector<ThreadTrace> finish(const Statistics &Now,
                                   std::span<const AnsweredRequest> Answers);
 

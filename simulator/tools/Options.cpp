@@ -393,9 +393,9 @@ private:
       if (Arguments.hasArg(Id) && Arguments.getLastArgValue(Id).empty())
         error(Arguments.getLastArg(Id)->getSpelling().rtrim('=') +
               " is empty; give it the path of a file");
-    for (OptionId Id :
-         {OPT_fast_forward, OPT_regions, OPT_checkpoint, OPT_restore,
-          OPT_max_cycles, OPT_interval, OPT_profile, OPT_profile_EQ})
+    for (OptionId Id : {OPT_fast_forward, OPT_regions, OPT_checkpoint,
+                        OPT_restore, OPT_max_cycles, OPT_interval, OPT_profile,
+                        OPT_profile_EQ, OPT_trace_tps, OPT_trace_output})
       exclude(OPT_check, Id, "checks execute without timing");
     exclude(OPT_check, OPT_trace_instructions,
             "trace the instructions in a run of their own");

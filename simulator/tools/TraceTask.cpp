@@ -9,6 +9,8 @@
 #include "simulator/profile/TraceFile.h"
 #include "simulator/tools/OutputFile.h"
 
+#include "llvm/ADT/STLExtras.h"
+
 using namespace llvm;
 
 namespace tp {
@@ -24,7 +26,9 @@ TraceTask::start(const TraceRequest &Request, const ChipConfig &Chip,
                                Twine(Which.Tp) + ": the chip has TMs 0 to " +
                                Twine(Chip.TmCount - 1) + " with TPs 0 to " +
                                Twine(Chip.TpsPerTm - 1));
-    Threads.push_back(Which.Tm * Chip.TpsPerTm + Which.Tp);
+    uint32_t Thread = Which.Tm * Chip.TpsPerTm + Which.Tp;
+    if (!is_contained(Threads, Thread))
+      Threads.push_back(Thread);
   }
   std::unique_ptr<TraceTask> Task(
       new TraceTask(Request, Chip, Loaded, Recorder, std::move(Threads)));
@@ -41,7 +45,7 @@ TraceTask::TraceTask(const TraceRequest &Request, const ChipConfig &Chip,
       Tracer(Chip, Loaded.Text, Threads,
              {Request.FirstCycle, Request.EndCycle}) {
   for (uint32_t Thread : Threads)
-    Recorder.traceRequests(Thread);
+    Recorder.traceRequests(Thread, Request.FirstCycle, Request.EndCycle);
 }
 
 llvm::Error TraceTask::finish(const Statistics &Now) {

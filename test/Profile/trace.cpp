@@ -10,9 +10,13 @@
 // RUN: %python %S/Inputs/check_trace.py %t.json %t.stats.json 0.0
 // CHECK: {"name":"process_name","ph":"M","pid":1,"tid":31744,"args":{"name":"TM 1"}}
 // CHECK: {"name":"thread_name","ph":"M","pid":1,"tid":31744,"args":{"name":"TP 31"}}
-// CHECK: {"name":"mfsr {{[^"]*}}","cat":"issue","ph":"X","pid":1,"tid":31744,"ts":{{[0-9]+}},"dur":{{[0-9]+}},"args":{"cycle":{{[0-9]+}},"cycles":1,"pc":"0x{{[0-9a-f]+}}","function":"main","line":"{{[^"]*}}trace.cpp:[[#@LINE+22]]"}}
+// CHECK: {"name":"mfsr {{[^"]*}}","cat":"issue","ph":"X","pid":1,"tid":31744,"ts":{{[0-9]+}},"dur":{{[0-9]+}},"args":{"cycle":{{[0-9]+}},"cycles":1,"pc":"0x{{[0-9a-f]+}}","function":"main","line":"{{[^"]*}}trace.cpp:[[#@LINE+26]]"}}
 // CHECK: {"name":"thread_name","ph":"M","pid":1,"tid":31745,"args":{"name":"TP 31 memory 0"}}
 // CHECK: "cat":"memory","ph":"X","pid":1,"tid":31745,"ts":{{[0-9]+}},"dur":{{[0-9]+}},"args":{"cycle":{{[0-9]+}},"cycles":{{[0-9]+}},"instruction":"lw{{[^"]*}}","pc":"0x{{[0-9a-f]+}}","function":"main","line":"{{[^"]*}}","address":"0x{{[0-9a-f]+}}"
+
+// One that is named twice is traced once.
+// RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --trace-tps 1.31,0.0,1.31 --trace-cycles 0:100000 --trace-output %t.again.json
+// RUN: cmp %t.l2.json %t.again.json
 
 // A range, and a run that is cut and traps.
 // RUN: tpsim --chip 4x32 --quiet %t.elf --trace-tps 0.3 --trace-cycles 50:150 --trace-output %t.json

@@ -87,7 +87,11 @@ def check_memory(profile, statistics):
             served[level] += counts_there["accesses"]
     accesses = sum(entry.get("global", 0) for entry in profile["instructions"])
     if "memory" not in statistics:
-        check("served by memory", served, Counter({"memory": accesses}))
+        stores = sum(entry.get("global", 0)
+                     for entry in profile["instructions"]
+                     if entry["text"].startswith("s"))
+        check("served by memory", served,
+              Counter({"memory": accesses - stores}))
         return
     if "l1" not in statistics["memory"]:
         check_dram(served, accesses, statistics["memory"]["dram"])

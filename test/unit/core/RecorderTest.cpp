@@ -214,7 +214,7 @@ TEST(Recorder, GlobalAccessesOfFixedLatency) {
   EXPECT_EQ(Record.Pcs[1].Global, 2u);
   EXPECT_EQ(Record.Pcs[1].Served[Memory], (ServedAccesses{2, 40}));
   EXPECT_EQ(Record.Pcs[2].Global, 2u);
-  EXPECT_EQ(Record.Pcs[2].Served[Memory], (ServedAccesses{2, 0}));
+  EXPECT_EQ(Record.Pcs[2].Served[Memory], ServedAccesses());
   EXPECT_EQ(Record.Pcs[3].Global, 0u);
   EXPECT_EQ(Record.Pcs[4].Global, 0u);
   EXPECT_EQ(S.statistics().GlobalAccesses, 4u);
