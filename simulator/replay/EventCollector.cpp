@@ -23,7 +23,7 @@ void EventCollector::issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
   const std::lock_guard Guard(Lock);
   std::optional<FoundEvent> &Own = Tentative[T.Number];
   if (Own)
-    Best = Best ? better(*Best, *Own) : *Own;
+    keep(Best, *Own);
   Own.reset();
   const Moment At{Cycle, orderOf(Chip, Cycle, T.Number)};
   if (!Matcher.mayMatch(At))
@@ -43,17 +43,19 @@ void EventCollector::postponed(const Thread &T) {
   Tentative[T.Number].reset();
 }
 
-const FoundEvent &EventCollector::better(const FoundEvent &A,
-                                         const FoundEvent &B) const {
-  const bool IsFirst = A.place() < B.place();
-  return IsFirst == (Matcher.kept() == EventMatcher::First) ? A : B;
+void EventCollector::keep(std::optional<FoundEvent> &Kept,
+                          const FoundEvent &Candidate) const {
+  if (!Kept || (Matcher.kept() == EventMatcher::First
+                    ? Candidate.place() < Kept->place()
+                    : Candidate.place() > Kept->place()))
+    Kept = Candidate;
 }
 
 std::optional<FoundEvent> EventCollector::found() const {
   std::optional<FoundEvent> Result = Best;
   for (const std::optional<FoundEvent> &Own : Tentative)
     if (Own)
-      Result = Result ? better(*Result, *Own) : *Own;
+      keep(Result, *Own);
   return Result;
 }
 

@@ -48,8 +48,8 @@ public:
   void postponed(const Thread &T) override;
 
 private:
-  /// The one to keep of the two.
-  const FoundEvent &better(const FoundEvent &A, const FoundEvent &B) const;
+  /// Keeps \p Candidate if it is the better one.
+  void keep(std::optional<FoundEvent> &Kept, const FoundEvent &Candidate) const;
 
   const ChipConfig &Chip;
   const Program &Text;

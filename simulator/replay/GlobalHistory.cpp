@@ -42,11 +42,10 @@ void GlobalHistory::save(uint32_t Number) {
         std::make_unique<MemoryLayer::PageWriters>(*Writers[Number]);
 }
 
-namespace {
 /// Calls \p Function(page, number of a word in it, bytes of the word) for each
 /// word that has some of the bytes [At, End).
 template <class Callable>
-void forEachWord(uint64_t At, uint64_t End, Callable Function) {
+static void forEachWord(uint64_t At, uint64_t End, Callable Function) {
   while (At < End) {
     const uint64_t WordEnd = std::min(End, At / 4 * 4 + 4);
     const auto Mask = uint8_t(((1u << (WordEnd - At)) - 1) << (At % 4));
@@ -55,7 +54,6 @@ void forEachWord(uint64_t At, uint64_t End, Callable Function) {
     At = WordEnd;
   }
 }
-} // namespace
 
 void GlobalHistory::writing(const GlobalWrite &Write) {
   forEachWord(Write.Address, uint64_t(Write.Address) + Write.Bytes,

@@ -53,10 +53,10 @@ void Timeline::restorePoint(size_t Number) {
   IsCut = false;
 }
 
-void Timeline::restoreWindow() {
+void Timeline::restoreWindow(const WindowBegin &Begin) {
   History.undo();
-  Window->State.restore(Machine);
-  Output.restore(Window->Written);
+  Begin.State.restore(Machine);
+  Output.restore(Begin.Written);
   IsCut = false;
 }
 
@@ -86,7 +86,7 @@ void Timeline::restoreFor(uint64_t Begin) {
   if (!IsCut && cycle() <= Begin && cycle() >= Best && IsAnchor)
     return;
   if (WindowServes)
-    restoreWindow();
+    restoreWindow(*Window);
   else
     restorePoint(Number);
 }

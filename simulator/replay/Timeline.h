@@ -83,7 +83,7 @@ private:
   /// Goes to the last saved state that is not behind \p Begin, or stays.
   void restoreFor(uint64_t Begin);
   void restorePoint(size_t Number);
-  void restoreWindow();
+  void restoreWindow(const WindowBegin &Begin);
   void keepWindow();
   void dropWindow();
   /// Runs to \p Target, whole windows only unless it is inside of one.

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, DebuggeeTest, testing::Bool(),
                            return HasTiming.param ? "cycles" : "functional";
                          });
 
-Assembly bases() {
+static Assembly bases() {
   Assembly A;
   A.constant(DataBase, DataBegin).constant(LocalBase, Local);
   return A("addi", 4, 0, 7);
@@ -147,7 +147,7 @@ TEST_P(DebuggeeTest, TheStopFlagEndsTheSearch) {
 
 /// Two threads store to a word each in the same cycle; the later of them in
 /// the order of the cycle to the word behind.
-Assembly storesOfTwoThreads() {
+static Assembly storesOfTwoThreads() {
   Assembly A = bases();
   A("mfsr", 5, int(SpecialRegister::thread))("sll", 5, 5, 2)("add", 5, 5,
                                                              DataBase);

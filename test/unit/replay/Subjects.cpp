@@ -5,56 +5,13 @@
 //===----------------------------------------------------------------------===//
 
 #include "test/unit/replay/Subjects.h"
-#include "simulator/core/LocalStore.h"
-#include "simulator/functional/FunctionalMachine.h"
-#include "simulator/replay/EventMatcher.h"
 
 #include "gtest/gtest.h"
 
 #include <numeric>
-#include <span>
 #include <utility>
 
 namespace tp::test {
-
-static void addMemory(State &To, const Memory &Global) {
-  To.Memory.assign(Global.data() + kGlobalMemoryBegin,
-                   Global.data() + Global.size());
-}
-
-static void addCounts(State &To, const Statistics &Counts) {
-  for (const PcStatistics &Pc : Counts.Pcs)
-    To.Executed.push_back(Pc.Executed);
-  for (const ThreadStatistics &Thread : Counts.Threads) {
-    To.Issued.push_back(Thread.Instructions);
-    To.Lost.push_back(Thread.Lost);
-  }
-}
-
-static void addThread(State &To,
-                      const std::array<uint32_t, NumRegisters> &Registers,
-                      uint32_t Pc, std::span<const uint8_t> LocalStore) {
-  To.Registers.push_back(Registers);
-  To.Pcs.push_back(Pc);
-  To.LocalStores.insert(To.LocalStores.end(), LocalStore.begin(),
-                        LocalStore.end());
-}
-
-State stateOf(const Replay &R, const ChipConfig &Chip, const Memory &Global) {
-  const LocalStoreRange Local(Chip.LocalStoreBytes);
-  State Result;
-  // Before its first cycle a machine has no counts.
-  if (R.now().Time != 0)
-    addCounts(Result, R.statistics());
-  for (uint32_t I = 0; I != R.threadCount(); ++I) {
-    const ReplayThread Thread = R.thread(I);
-    std::vector<uint8_t> Bytes(Local.Size);
-    EXPECT_TRUE(Bytes.empty() || R.read(I, Local.Begin, Bytes));
-    addThread(Result, Thread.Registers, Thread.Pc, Bytes);
-  }
-  addMemory(Result, Global);
-  return Result;
-}
 
 //===----------------------------------------------------------------------===//
 // With timing
@@ -67,24 +24,11 @@ static State run(const CycleSubject &S, uint64_t Cycles, RunResult &Result,
   Engine Machine(S.Chip, S.Text, Global, makeMemorySystem(S.Chip));
   RunLimits Limits;
   Limits.MaxCycles = Cycles;
-  State Seen;
-  if (Cycles != 0) {
+  if (Cycles != 0)
     Result = Machine.run(Limits);
-    addCounts(Seen, Machine.statistics());
-  }
   End = Result.End == RunResult::Trapped ? Result.TrapInfo->Cycle
                                          : Machine.cycles();
-  const LocalStoreRange Local(S.Chip.LocalStoreBytes);
-  for (uint32_t I = 0; I != S.Chip.threadCount(); ++I) {
-    const Thread &T = Machine.thread(I);
-    addThread(
-        Seen, T.Registers,
-        S.Text.textBegin() + nextTimedWord(S.Text, Machine.placeOf(I).Word) * 4,
-        {reinterpret_cast<const uint8_t *>(T.LocalStoreBias + Local.Begin),
-         Local.Size});
-  }
-  addMemory(Seen, Global);
-  return Seen;
+  return stateOf(Machine, S.Chip, S.Text, Global);
 }
 
 CycleSubject::CycleSubject(uint64_t Seed)
@@ -116,14 +60,7 @@ static State run(const FunctionalSubject &S, uint64_t Before,
   FunctionalLimits Limits;
   Limits.PauseBefore = Before;
   Result = Machine.run(Limits);
-  State Seen;
-  if (Before != 0)
-    addCounts(Seen, Machine.statistics());
-  for (const ArchitecturalState &T : Machine.threads())
-    addThread(Seen, T.Registers, T.Pc,
-              {T.LocalStore, LocalStoreRange(S.Chip.LocalStoreBytes).Size});
-  addMemory(Seen, Global);
-  return Seen;
+  return stateOf(Machine, S.Chip, Global);
 }
 
 /// So many that turns end by themselves.

@@ -15,33 +15,14 @@
 
 #include "simulator/replay/Replay.h"
 #include "test/unit/oracle/RandomProgram.h"
+#include "test/unit/replay/State.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace tp::test {
-
-/// What can be seen of a machine at a moment.
-struct State {
-  std::vector<std::array<uint32_t, NumRegisters>> Registers;
-  std::vector<uint32_t> Pcs;
-  std::vector<uint8_t> Memory;
-  std::vector<uint8_t> LocalStores;
-  /// Executions of each word of the text.
-  std::vector<uint64_t> Executed;
-  /// Of each thread.
-  std::vector<uint64_t> Issued;
-  /// With timing.
-  std::vector<LossCounts> Lost;
-
-  bool operator==(const State &) const = default;
-};
-
-/// Of a replay and its memory.
-State stateOf(const Replay &R, const ChipConfig &Chip, const Memory &Global);
 
 /// A random program and a chip for it.
 struct Subject {
