@@ -30,7 +30,7 @@ public:
   }
   template <class Function>
   uint32_t stream(uint32_t Descriptor, uint32_t, Function) {
-    Found = {Descriptor, 4, true, true};
+    Found = {Descriptor, 4, true, true, true};
     return 0;
   }
 

@@ -21,6 +21,8 @@ struct MemoryAccess {
   uint32_t Bytes = 0;
   bool Reads = false;
   bool Writes = false;
+  /// Of a stream operation, which accesses other words too.
+  bool IsStream = false;
 };
 
 /// What \p Decoded accesses if a thread with these registers executes it, also

@@ -6,6 +6,11 @@
 
 #include "simulator/replay/EventMatcher.h"
 #include "simulator/core/LocalStore.h"
+#include "simulator/isa/StreamAccess.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
 
 namespace tp {
 
@@ -52,8 +57,7 @@ bool EventMatcher::isIn(const AccessEvents &Event, const MemoryAccess &Access,
     return false;
   if (!Event.Thread && Event.Address >= LocalBegin)
     return false;
-  return Access.Address < uint64_t(Event.Address) + Event.Bytes &&
-         Event.Address < uint64_t(Access.Address) + Access.Bytes;
+  return overlaps(Event, Access.Address, Access.Bytes);
 }
 
 template <class Event> static bool matches(const Event &E, const Probe &Place) {
@@ -72,6 +76,17 @@ EventMatcher::findInstruction(const Probe &Place) const {
   return std::nullopt;
 }
 
+/// The bytes of the whole stream; those of its descriptor if it is none.
+static uint32_t streamBytes(uint32_t Descriptor, const Probe &Place) {
+  std::array<uint8_t, 4> Bytes;
+  uint32_t Capacity = 0;
+  if (Place.Read(Descriptor + 8, Bytes))
+    std::memcpy(&Capacity, Bytes.data(), sizeof(Capacity));
+  if (!std::has_single_bit(Capacity) || Capacity > UINT32_MAX / 8)
+    Capacity = 0;
+  return StreamDescriptorBytes + Capacity * 4;
+}
+
 std::optional<FoundEvent> EventMatcher::findAccess(const Probe &Place) const {
   if (Wanted.Accesses.empty())
     return std::nullopt;
@@ -80,6 +95,8 @@ std::optional<FoundEvent> EventMatcher::findAccess(const Probe &Place) const {
       accessOf(Text.instructions()[Word], Place.Registers);
   if (!Access)
     return std::nullopt;
+  if (Access->IsStream)
+    Access->Bytes = streamBytes(Access->Address, Place);
   for (size_t I = 0; I != Wanted.Accesses.size(); ++I)
     if (isIn(Wanted.Accesses[I], *Access, Place.Thread) &&
         matches(Wanted.Accesses[I], Place))

@@ -41,8 +41,16 @@ struct FoundEvent {
   uint32_t Thread = 0;
   uint32_t Pc = 0;
   size_t Event = 0;
+  /// Of a stream operation the whole stream: it may have been another word.
   MemoryAccess Access;
 };
+
+/// Whether the bytes [Address, Address + Bytes) have some of the event's.
+inline bool overlaps(const AccessEvents &Event, uint32_t Address,
+                     uint32_t Bytes) {
+  return Address < uint64_t(Event.Address) + Event.Bytes &&
+         Event.Address < uint64_t(Address) + Bytes;
+}
 
 /// The wanted events of a text.
 class EventMatcher {

@@ -56,6 +56,8 @@ static void forEachWord(uint64_t At, uint64_t End, Callable Function) {
 }
 
 void GlobalHistory::writing(const GlobalWrite &Write) {
+  if (KeptThread == Write.Thread)
+    KeptWrites.push_back(Write);
   forEachWord(Write.Address, uint64_t(Write.Address) + Write.Bytes,
               [&](uint32_t Page, uint32_t Word, uint8_t Mask) {
                 save(Page);
@@ -70,6 +72,11 @@ void GlobalHistory::changing(uint32_t Address, uint32_t Bytes) {
   const uint32_t Last = (Address + Bytes - 1) / MemoryLayer::PageBytes;
   for (uint32_t Page = Address / MemoryLayer::PageBytes; Page <= Last; ++Page)
     save(Page);
+}
+
+std::vector<GlobalWrite> GlobalHistory::takeWrites() {
+  KeptThread.reset();
+  return std::exchange(KeptWrites, {});
 }
 
 void GlobalHistory::open() {

@@ -64,6 +64,11 @@ public:
   /// Before the user changes these bytes of the memory.
   void changing(uint32_t Address, uint32_t Bytes);
 
+  /// From here on keeps what \p Thread writes, for takeWrites().
+  void keepWrites(uint32_t Thread) { KeptThread = Thread; }
+  /// What it has written since then; no longer keeps it.
+  std::vector<GlobalWrite> takeWrites();
+
   /// From here on, what changes is kept in a new open layer, above the others.
   void open();
   size_t numOpen() const { return Open.size(); }
@@ -93,6 +98,8 @@ private:
   /// A layer that surely has the page: its serial number.
   std::vector<uint64_t> SavedIn;
   uint64_t Serial = 0;
+  std::optional<uint32_t> KeptThread;
+  std::vector<GlobalWrite> KeptWrites;
 };
 
 } // namespace tp

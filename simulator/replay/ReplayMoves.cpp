@@ -5,6 +5,7 @@
 //===----------------------------------------------------------------------===//
 
 #include "simulator/replay/ReplayMoves.h"
+#include "simulator/isa/StreamAccess.h"
 #include "simulator/replay/HostBytes.h"
 
 #include <cstring>
@@ -62,6 +63,53 @@ ReplayMoves::watchedBytes(const AccessEvents &Event) const {
   return Bytes;
 }
 
+std::optional<ReplayStop> ReplayMoves::moveBehind(FoundEvent &Found,
+                                                  const AccessEvents &Event) {
+  MemoryAccess &Access = Found.Access;
+  if (Access.IsStream)
+    history().keepWrites(Found.Thread);
+  std::optional<ReplayStop> End = moveTo({Found.At.Time + 1, 0});
+  if (!Access.IsStream)
+    return End;
+  Access.Reads = overlaps(Event, Access.Address, StreamDescriptorBytes);
+  Access.Writes = false;
+  for (const GlobalWrite &Write : history().takeWrites())
+    Access.Writes |= Write.Cycle == Found.At.Time &&
+                     overlaps(Event, Write.Address, Write.Bytes);
+  return End;
+}
+
+std::optional<ReplayStop> ReplayMoves::stopAtAccess(ReplayStop Stop,
+                                                    FoundEvent Found,
+                                                    const AccessEvents &Event,
+                                                    bool IsForward) {
+  Stop.Old = watchedBytes(Event);
+  const std::optional<ReplayStop> End = moveBehind(Found, Event);
+  // Another thread may trap in the same cycle; New is then not to be had.
+  const bool HasTrapped = End && End->Kind == ReplayStop::Trapped;
+  if (HasTrapped && End->Thread == Found.Thread)
+    return IsForward ? End : std::nullopt;
+  const MemoryAccess &Access = Found.Access;
+  if (!(Event.Reads && Access.Reads) && !(Event.Writes && Access.Writes))
+    return std::nullopt;
+  Stop.AccessAddress = Access.Address;
+  Stop.AccessBytes = Access.Bytes;
+  Stop.IsWrite = Access.Writes;
+  if (HasTrapped)
+    moveTo(Found.At);
+  else
+    Stop.New = watchedBytes(Event);
+  if (Event.OnlyChanges && Stop.IsWrite && Stop.Old == Stop.New)
+    return std::nullopt;
+  Seen = Found.place();
+  if (!IsForward) {
+    moveTo(Found.At);
+    Seen = {Found.At, false};
+  }
+  Stop.At = Now;
+  return Stop;
+}
+
 std::optional<ReplayStop> ReplayMoves::stopAt(const FoundEvent &Found,
                                               const Events &Wanted,
                                               bool IsForward) {
@@ -72,29 +120,8 @@ std::optional<ReplayStop> ReplayMoves::stopAt(const FoundEvent &Found,
   Stop.Event = Found.Event;
   moveTo(Found.At);
   Seen = {Found.At, false};
-  if (Found.Kind == ReplayStop::Access) {
-    const AccessEvents &Event = Wanted.Accesses[Found.Event];
-    Stop.AccessAddress = Found.Access.Address;
-    Stop.AccessBytes = Found.Access.Bytes;
-    Stop.IsWrite = Found.Access.Writes;
-    Stop.Old = watchedBytes(Event);
-    // Another thread may trap in the same cycle; New is then not to be had.
-    std::optional<ReplayStop> End = moveTo({Found.At.Time + 1, 0});
-    const bool HasTrapped = End && End->Kind == ReplayStop::Trapped;
-    if (HasTrapped && End->Thread == Found.Thread)
-      return IsForward ? End : std::nullopt;
-    if (HasTrapped)
-      moveTo(Found.At);
-    else
-      Stop.New = watchedBytes(Event);
-    if (Event.OnlyChanges && Stop.IsWrite && Stop.Old == Stop.New)
-      return std::nullopt;
-    Seen = Found.place();
-    if (!IsForward) {
-      moveTo(Found.At);
-      Seen = {Found.At, false};
-    }
-  }
+  if (Found.Kind == ReplayStop::Access)
+    return stopAtAccess(Stop, Found, Wanted.Accesses[Found.Event], IsForward);
   Stop.At = Now;
   return Stop;
 }
@@ -211,7 +238,15 @@ LastWrite ReplayMoves::searchWrite(uint32_t Number, uint32_t Address,
   if (Space.isLocal(Address))
     Any.Thread = Number;
   const Moment Here = Now;
-  const SearchResult Result = findLast(Writes, {{Now.Time, 0}, false});
+  SearchResult Result = findLast(Writes, {{Now.Time, 0}, false});
+  while (Result.Found && Result.Found->Access.IsStream &&
+         Result.Run.End != RunResult::Stopped) {
+    moveTo(Result.Found->At);
+    moveBehind(*Result.Found, Any);
+    if (Result.Found->Access.Writes)
+      break;
+    Result = findLast(Writes, Result.Found->place());
+  }
   moveTo(Here);
   if (Result.Run.End == RunResult::Stopped)
     return SearchInterrupted();

@@ -81,7 +81,15 @@ private:
   /// The stop for an event; nothing if it turns out not to be wanted.
   std::optional<ReplayStop> stopAt(const FoundEvent &Found,
                                    const Events &Wanted, bool IsForward);
+  /// Likewise for an access, before which the machine is.
+  std::optional<ReplayStop> stopAtAccess(ReplayStop Stop, FoundEvent Found,
+                                         const AccessEvents &Event,
+                                         bool IsForward);
   std::vector<uint8_t> watchedBytes(const AccessEvents &Event) const;
+  /// Goes behind a found access; if the run ends before, the stop there. Finds
+  /// out of a stream operation whether it read and wrote bytes of the event.
+  std::optional<ReplayStop> moveBehind(FoundEvent &Found,
+                                       const AccessEvents &Event);
   /// The last event before \p Before.
   SearchResult findLast(const Events &Wanted, EventPlace Before);
   /// The last write of the program; nothing if the history does not know it.

@@ -108,11 +108,16 @@ TYPED_TEST(ReplayTest, EveryExecutionOfAnInstructionStopsOnce) {
 }
 
 TYPED_TEST(ReplayTest, WritesAreFoundForwardAndBackwardAndByWhoWrote) {
-  size_t Found = 0;
+  size_t Found = 0, FoundInStreams = 0;
   for (uint64_t Seed = 1; Seed <= Programs; ++Seed) {
     TypeParam S(Seed);
-    const auto &[Address, First] =
+    const bool IsOfStream = Seed % 2;
+    const auto [Data, First] =
         S.Source.Data[S.Random.below(uint32_t(S.Source.Data.size()))];
+    // The last of the data is the capacity of a stream.
+    const uint32_t Address =
+        IsOfStream ? S.Source.Data.back().first - 8 + 4 * S.Random.below(8)
+                   : Data;
     Events Wanted;
     AccessEvents &Watched = Wanted.Accesses.emplace_back();
     Watched.Address = Address;
@@ -121,14 +126,14 @@ TYPED_TEST(ReplayTest, WritesAreFoundForwardAndBackwardAndByWhoWrote) {
     const std::vector<ReplayStop> Stops = R.all(Wanted);
     if (S.traps() || Stops.size() > 200)
       continue;
-    Found += Stops.size();
+    (IsOfStream ? FoundInStreams : Found) += Stops.size();
     std::vector<uint8_t> Last(4);
     std::memcpy(Last.data(), &First, 4);
     for (const ReplayStop &Stop : Stops) {
       EXPECT_TRUE(Stop.IsWrite);
       EXPECT_EQ(Stop.Old.size(), 4u);
       // Of those in one cycle each has the same bytes before it.
-      if (R.Run->thread(0).Timing)
+      if (IsOfStream || R.Run->thread(0).Timing)
         continue;
       EXPECT_EQ(Stop.Old, Last) << "seed " << Seed;
       Last = Stop.New;
@@ -148,6 +153,7 @@ TYPED_TEST(ReplayTest, WritesAreFoundForwardAndBackwardAndByWhoWrote) {
         std::holds_alternative<AsLoaded>(R.Run->lastWrite(0, Address, 4)));
   }
   EXPECT_GT(Found, 0u);
+  EXPECT_GT(FoundInStreams, 0u);
 }
 
 TYPED_TEST(ReplayTest, AChangeIsMadeAgain) {
