@@ -33,32 +33,16 @@ void ThreadRequests::noteStore(const MemoryAnswer &Answer) {
   LastStoreAnswer = std::max(LastStoreAnswer, Answer.ReadyCycle);
 }
 
-void ThreadRequests::recordOrigins() {
-  Recorded.resize(1);
-  Recorded.front().Stores.resize(Stores.size());
+void ThreadRequests::addOrigin(uint32_t Ticket, Origin From) {
+  Origins.push_back({Ticket, From});
 }
 
-void ThreadRequests::keepOrigin(uint8_t Register, uint64_t Cycle) {
-  const RegisterRequest &Request = Registers[Register];
-  Origins &Kept = Recorded.front();
-  Kept.Superseded.push_back(
-      {uint32_t(Request.Number) << RegisterBits | Register,
-       {Kept.Words[Register], Request.issuedBefore(Cycle)}});
-}
-
-ThreadRequests::Origin ThreadRequests::originOf(const MemoryAnswer &Answer) {
-  Origins &Kept = Recorded.front();
-  uint8_t Register = registerOf(Answer.Ticket);
-  if (Register == NumRegisters)
-    return Kept.Stores[Answer.Ticket >> RegisterBits];
-  const RegisterRequest &Request = Registers[Register];
-  if (Request.Number == Answer.Ticket >> RegisterBits)
-    return {Kept.Words[Register], Request.issuedBefore(Answer.ReadyCycle)};
-  auto Found =
-      std::ranges::find(Kept.Superseded, Answer.Ticket, &TicketOrigin::Ticket);
-  assert(Found != Kept.Superseded.end() && "an answer without a request");
+ThreadRequests::Origin ThreadRequests::takeOrigin(uint32_t Ticket) {
+  auto Found = std::ranges::find(Origins, Ticket, &TicketOrigin::Ticket);
+  assert(Found != Origins.end() && "an answer without a request");
   Origin Result = Found->From;
-  Kept.Superseded.erase(Found);
+  *Found = Origins.back();
+  Origins.pop_back();
   return Result;
 }
 
@@ -72,7 +56,7 @@ void ThreadRequests::serialize(Archive &A) {
   A(LastStoreAnswer);
   A(SuspendedAt);
   A(Waiting);
-  A(Recorded);
+  A(Origins);
 }
 
 } // namespace tp

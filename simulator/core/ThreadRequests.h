@@ -52,7 +52,6 @@ public:
     uint32_t GoneOn : 1 = false;
     /// Who had it, once it is answered.
     uint32_t LevelBits : 3 = 0;
-    uint32_t IsUnanswered : 1 = false;
 
     ServedBy level() const { return ServedBy(LevelBits); }
     /// The cycle of issue, which was less than 2^32 cycles before \p Cycle.
@@ -76,9 +75,6 @@ public:
   /// The ticket of a new load or atomic.
   uint32_t addRegister(uint8_t Register, uint64_t Cycle, bool GoneOn) {
     RegisterRequest &Request = Registers[Register];
-    if (Request.IsUnanswered && isRecorded()) [[unlikely]]
-      keepOrigin(Register, Cycle);
-    Request.IsUnanswered = true;
     Request.IssuedLow = uint32_t(Cycle);
     Request.Number = NextNumber++;
     Request.GoneOn = GoneOn;
@@ -106,12 +102,10 @@ public:
     RegisterRequest &Request = Registers[registerOf(Answer.Ticket)];
     if (Request.Number != Answer.Ticket >> RegisterBits)
       return false;
-    if (Answer.ReadyCycle == AnsweredLater) {
+    if (Answer.ReadyCycle == AnsweredLater)
       Request.GoneOn = true;
-    } else {
+    else
       Request.LevelBits = uint32_t(Answer.Level);
-      Request.IsUnanswered = false;
-    }
     return true;
   }
   void noteStore(const MemoryAnswer &Answer);
@@ -121,18 +115,10 @@ public:
     uint32_t Word = 0;
     uint64_t Cycle = 0;
   };
-  /// From now on origins are kept.
-  void recordOrigins();
-  /// Of the request that has just got its ticket.
-  void setOrigin(uint32_t Ticket, Origin From) {
-    uint8_t Register = registerOf(Ticket);
-    if (Register == NumRegisters)
-      Recorded.front().Stores[Ticket >> RegisterBits] = From;
-    else
-      Recorded.front().Words[Register] = From.Word;
-  }
-  /// Of a request that is answered now and has not been noted yet.
-  Origin originOf(const MemoryAnswer &Answer);
+  /// Keeps the origin of a request until it is answered.
+  void addOrigin(uint32_t Ticket, Origin From);
+  /// The origin of a request that is answered, which must have been added.
+  Origin takeOrigin(uint32_t Ticket);
 
   const RegisterRequest &request(uint8_t Register) const {
     return Registers[Register];
@@ -170,33 +156,13 @@ private:
   uint32_t Unanswered = 0;
   uint32_t StoresGoneOn = 0;
   uint64_t LastStoreAnswer = 0;
-  /// Takes the origin of a request whose register gets another one in \p Cycle
-  /// to those of Superseded.
-  void keepOrigin(uint8_t Register, uint64_t Cycle);
-
-  bool isRecorded() const { return !Recorded.empty(); }
-
   struct TicketOrigin {
     uint32_t Ticket = 0;
     Origin From;
   };
 
-  struct Origins {
-    /// Of the requests in Registers and Stores.
-    std::array<uint32_t, NumRegisters> Words{};
-    std::vector<Origin> Stores;
-    /// Of unanswered requests whose registers belong to others.
-    std::vector<TicketOrigin> Superseded;
-
-    void serialize(Archive &A) {
-      A(Words);
-      A(Stores);
-      A(Superseded);
-    }
-  };
-
-  /// One if origins are kept, or none: that takes less room.
-  std::vector<Origins> Recorded;
+  /// Of the unanswered requests, if a recorder wants them.
+  std::vector<TicketOrigin> Origins;
   std::vector<StoreEntry> Stores;
   std::array<RegisterRequest, NumRegisters> Registers{};
 };

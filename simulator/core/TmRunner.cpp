@@ -65,13 +65,6 @@ MemoryRequest TmRunnerState::request(const Thread &T, RequestKind Kind,
   return Result;
 }
 
-void TmRunnerState::ask(const MemoryRequest &Request, Thread &T,
-                        uint32_t Word) {
-  if (Record)
-    T.Requests->setOrigin(Request.Ticket, {Word, Request.Cycle});
-  ask(Request);
-}
-
 ReadyWord TmRunnerState::requestLoad(Thread &T, uint32_t Word,
                                      uint8_t Destination, Opcode Op,
                                      uint64_t Cycle, uint32_t Address,

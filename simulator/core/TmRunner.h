@@ -12,6 +12,7 @@
 #include "simulator/core/EngineObservers.h"
 #include "simulator/core/ExecutionRecorder.h"
 #include "simulator/core/InstructionCache.h"
+#include "simulator/core/ThreadRequests.h"
 #include "simulator/core/WindowLog.h"
 #include "simulator/memory/MemorySystem.h"
 
@@ -175,7 +176,11 @@ private:
     Memory->request(Request);
   }
   /// Likewise, for the instruction \p Word of a thread.
-  void ask(const MemoryRequest &Request, Thread &T, uint32_t Word);
+  void ask(const MemoryRequest &Request, Thread &T, uint32_t Word) {
+    if (Record) [[unlikely]]
+      T.Requests->addOrigin(Request.Ticket, {Word, Request.Cycle});
+    ask(Request);
+  }
   MemoryRequest request(const Thread &T, RequestKind Kind, uint64_t Cycle,
                         uint32_t Address, unsigned Bytes,
                         uint32_t Ticket) const;

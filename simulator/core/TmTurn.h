@@ -243,13 +243,21 @@ private:
         NextCycles[Tp] = waiting::resume(&Tps[Tp], &R);
   }
 
-  void recordServed(const Thread &T, const MemoryAnswer &Answer) {
-    ThreadRequests::Origin From = T.Requests->originOf(Answer);
-    R.Record->served(
-        {T.Number, From.Word, From.Cycle, Answer.ReadyCycle, Answer.Level});
+  void recordAnswers() {
+    for (const MemoryAnswer &Answer : R.Answers) {
+      if (Answer.ReadyCycle == AnsweredLater ||
+          ThreadRequests::lineOf(Answer.Ticket) != NoLine)
+        continue;
+      const Thread &T = Tps[Answer.Tp];
+      ThreadRequests::Origin From = T.Requests->takeOrigin(Answer.Ticket);
+      R.Record->served(
+          {T.Number, From.Word, From.Cycle, Answer.ReadyCycle, Answer.Level});
+    }
   }
 
   void takeAnswers() {
+    if (R.Record)
+      recordAnswers();
     for (const MemoryAnswer &Answer : R.Answers) {
       R.Unanswered -= Answer.ReadyCycle != AnsweredLater;
       if (uint32_t Line = ThreadRequests::lineOf(Answer.Ticket);
@@ -261,8 +269,6 @@ private:
       Thread &T = Tps[Answer.Tp];
       ThreadRequests &Requests = *T.Requests;
       bool Known = Answer.ReadyCycle != AnsweredLater;
-      if (R.Record && Known)
-        recordServed(T, Answer);
       uint8_t Register = ThreadRequests::registerOf(Answer.Ticket);
       if (Register == NumRegisters) {
         Requests.noteStore(Answer);

@@ -254,8 +254,6 @@ template <class Word, bool FlushToZero>
 void WindowEngine<Word, FlushToZero>::setRecorder(
     ExecutionRecorder *NewRecorder) {
   Recorder = NewRecorder;
-  for (ThreadRequests &Thread : Requests)
-    Thread.recordOrigins();
   for (uint32_t I = 0; I != Opcodes.size(); ++I)
     if (Recorder->isObserved(I))
       (Fetched.empty() ? Slots[I].Execute : Fetched[I]) =
