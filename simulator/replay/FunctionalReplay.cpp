@@ -42,6 +42,10 @@ ReplayStop FunctionalReplay::endOf(const RunResult &Result) {
   ReplayStop Stop;
   Stop.ExitStatus = Result.ExitStatus;
   Stop.TrapInfo = Result.TrapInfo;
+  if (const std::optional<Trap> &Info = Result.TrapInfo) {
+    Stop.Thread = Info->Thread;
+    Stop.Pc = Info->Pc;
+  }
   Now = {Time.time(), 0};
   Seen = {Now, Result.End == RunResult::Halted};
   switch (Result.End) {
@@ -50,8 +54,6 @@ ReplayStop FunctionalReplay::endOf(const RunResult &Result) {
     break;
   case RunResult::Trapped:
     Stop.Kind = ReplayStop::Trapped;
-    Stop.Thread = Result.TrapInfo->Thread;
-    Stop.Pc = Result.TrapInfo->Pc;
     break;
   case RunResult::Stopped:
     Stop.Kind = ReplayStop::Interrupted;

@@ -107,7 +107,7 @@ RunResult FunctionalTimeline::advance(uint64_t Target) {
     const bool IsInterrupted = Result.End == RunResult::Stopped;
     if (IsInterrupted && !Control.isPointDue())
       return Result;
-    if (!IsInterrupted && KnownTime == Next) {
+    if (!IsInterrupted && Known && KnownTime == Next) {
       if (Known->IsChange)
         restored(Points.restoreNext());
       else

@@ -57,6 +57,9 @@ private:
 };
 
 class DebuggeeTest : public testing::TestWithParam<bool> {};
+
+} // namespace
+
 INSTANTIATE_TEST_SUITE_P(Modes, DebuggeeTest, testing::Bool(),
                          [](const testing::TestParamInfo<bool> &HasTiming) {
                            return HasTiming.param ? "cycles" : "functional";
@@ -260,5 +263,3 @@ TEST(CycleReplay, AWriteInTheCycleOfAnothersTrapIsFound) {
   ASSERT_EQ(End.At.Time, Stop.At.Time);
   EXPECT_EQ(Subject->backward(Wanted).Kind, ReplayStop::Access);
 }
-
-} // namespace

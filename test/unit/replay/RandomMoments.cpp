@@ -43,7 +43,10 @@ struct Subject {
   }
 };
 
-Expected<Subject> load(ArrayRef<const char *> Arguments, const char *Argv0) {
+} // namespace
+
+static Expected<Subject> load(ArrayRef<const char *> Arguments,
+                              const char *Argv0) {
   Expected<Options> Request = parseOptions(Arguments);
   if (!Request)
     return Request.takeError();
@@ -61,7 +64,7 @@ Expected<Subject> load(ArrayRef<const char *> Arguments, const char *Argv0) {
 
 /// Goes to a random moment, and back to where a thread was at its instruction
 /// before. Where that was; 0 if nowhere.
-uint64_t goBack(Replay &Run, uint64_t End, RandomSource &Random) {
+static uint64_t goBack(Replay &Run, uint64_t End, RandomSource &Random) {
   Run.goTo({1 + Random.word() % (End - 1), 0});
   const uint32_t Thread = Random.below(Run.threadCount());
   Events Wanted;
@@ -70,7 +73,7 @@ uint64_t goBack(Replay &Run, uint64_t End, RandomSource &Random) {
   return Stop.Kind == ReplayStop::Instruction ? Stop.At.Time : 0;
 }
 
-llvm::Error compare(Subject &S, unsigned Count, uint64_t Seed) {
+static llvm::Error compare(Subject &S, unsigned Count, uint64_t Seed) {
   std::string Problem;
   std::unique_ptr<Replay> Run =
       makeCycleReplay(S.Chip, S.Setup->Text, S.Setup->Global, {}, Problem);
@@ -91,7 +94,7 @@ llvm::Error compare(Subject &S, unsigned Count, uint64_t Seed) {
   return llvm::Error::success();
 }
 
-llvm::Error run(ArrayRef<const char *> Arguments) {
+static llvm::Error run(ArrayRef<const char *> Arguments) {
   unsigned Count;
   uint64_t Seed;
   if (Arguments.size() < 4 || StringRef(Arguments[1]).getAsInteger(10, Count) ||
@@ -103,8 +106,6 @@ llvm::Error run(ArrayRef<const char *> Arguments) {
     return S.takeError();
   return compare(*S, Count, Seed);
 }
-
-} // namespace
 
 int main(int Argc, char **Argv) {
   if (llvm::Error E = run(ArrayRef<const char *>(Argv, Argc))) {

@@ -24,6 +24,9 @@ constexpr uint64_t Programs = 40;
 constexpr unsigned MomentsOfEach = 25;
 
 template <class SubjectType> class ReplayTest : public testing::Test {};
+
+} // namespace
+
 using Subjects = testing::Types<CycleSubject, FunctionalSubject>;
 TYPED_TEST_SUITE(ReplayTest, Subjects);
 
@@ -65,7 +68,7 @@ TYPED_TEST(ReplayTest, TheEndIsThatOfARunWithoutStops) {
 }
 
 /// Up to three instructions of the text that take time.
-std::vector<uint32_t> somePcs(Subject &S) {
+static std::vector<uint32_t> somePcs(Subject &S) {
   std::vector<uint32_t> Pcs;
   for (unsigned I = 0; I != 3; ++I) {
     const auto Word = S.Random.below(uint32_t(S.AtEnd.Executed.size()));
@@ -192,5 +195,3 @@ TEST(FunctionalReplay, EveryMomentIsOneInstruction) {
     EXPECT_EQ(Stop.At.Time, ++Time);
   EXPECT_EQ(Time + 1, S.End + S.traps());
 }
-
-} // namespace
