@@ -89,9 +89,9 @@ Arithmetic::promote(const Value &Of, const FrameContext &Frame) const {
     Result.IsSigned = false;
     return Result;
   }
-  Result.Bytes = uint8_t(std::max(Kind.Size, 4u));
   // What an int can hold becomes one.
   uint32_t Width = Plain->isBitField() ? Plain->bitSize() : 8 * Kind.Size;
+  Result.Bytes = Width <= 32 ? 4 : 8;
   Result.IsSigned = Kind.isSigned() || Width < 32;
   return Result;
 }
@@ -356,9 +356,7 @@ Expected<Value> Arithmetic::unary(OperatorKind Operator, const Value &Operand,
   }
 }
 
-/// As the TP's instructions convert: out of range gives the nearest, NaN 0. To
-/// what is shorter than int it goes by int.
-static uint64_t realToInteger(double Number, unsigned Bytes, bool IsSigned) {
+uint64_t realToInteger(double Number, unsigned Bytes, bool IsSigned) {
   if (Bytes < 4)
     return realToInteger(Number, 4, true);
   if (std::isnan(Number))
@@ -374,44 +372,73 @@ static uint64_t realToInteger(double Number, unsigned Bytes, bool IsSigned) {
   return IsSigned ? uint64_t(int64_t(Whole)) : uint64_t(Whole);
 }
 
-Expected<Value> Arithmetic::convert(const Value &From, const Type &To,
-                                    const FrameContext &Frame,
-                                    bool KeepBits) const {
+/// A class as a base, or as what it is the base of; another class or an array
+/// is a view of the same memory if it has the same size, as in gdb.
+Expected<Value> Arithmetic::convertObject(const Value &From, const Type &To,
+                                          const FrameContext &Frame) const {
+  if (isSameType(From.type(), To))
+    return From.as(To);
+  Expected<std::optional<Value>> Related = asRelatedClass(From, To, Frame);
+  if (!Related)
+    return Related.takeError();
+  if (const std::optional<Value> &Found = *Related)
+    return *Found;
+  std::optional<uint32_t> Address = From.address();
+  if (From.type().Size == To.Size && Address)
+    return Value::inMemory(To, *Address);
+  return createStringError("Invalid cast.");
+}
+
+Expected<Value> Arithmetic::convertReference(const Value &From, const Type &To,
+                                             const FrameContext &Frame,
+                                             bool KeepBits) const {
+  Expected<Value> Object = withoutReference(From, Frame);
+  if (!Object)
+    return Object;
+  std::optional<uint32_t> Address = Object->address();
+  if (!Address)
+    return createStringError("Attempt to take address of value not located "
+                             "in memory.");
+  const Type &Target = *To.stripped().Target;
+  if (!KeepBits) {
+    Expected<std::optional<Value>> Related =
+        asRelatedClass(*Object, Target, Frame);
+    if (!Related)
+      return Related.takeError();
+    if (const std::optional<Value> &Found = *Related)
+      return *Found;
+  }
+  return Value::inMemory(Target, *Address);
+}
+
+/// A pointer to a class as one to a base, or to what it is the base of; nothing
+/// if the bits stay as they are.
+Expected<std::optional<Value>>
+Arithmetic::convertClassPointer(const Value &From, const Type &To,
+                                const FrameContext &Frame) const {
+  const Type *Class = From.type().stripped().Target;
+  const Type *Wanted = To.stripped().Target;
+  if (!From.type().isPointer() || !To.isPointer() || !Class->isRecord() ||
+      !Wanted->isRecord())
+    return std::nullopt;
+  Expected<uint64_t> Address = From.asInteger(Frame);
+  if (!Address)
+    return Address.takeError();
+  if (*Address == 0)
+    return std::nullopt;
+  Expected<std::optional<Value>> Object = asRelatedClass(
+      Value::inMemory(*Class, uint32_t(*Address)), *Wanted, Frame);
+  if (!Object)
+    return Object;
+  if (const std::optional<Value> &Found = *Object)
+    return Value::integer(To, *Found->address());
+  return std::nullopt;
+}
+
+Expected<Value> Arithmetic::convertNumber(const Value &From, const Type &To,
+                                          const FrameContext &Frame) const {
   const Type &Target = To.stripped();
-  if (Target.isReference()) {
-    std::optional<uint32_t> Address = From.address();
-    if (From.type().isReference()) {
-      Expected<uint64_t> Referred = From.asInteger(Frame);
-      if (!Referred)
-        return Referred.takeError();
-      Address = uint32_t(*Referred);
-    }
-    if (!Address)
-      return createStringError("Attempt to take address of value not located "
-                               "in memory.");
-    return Value::inMemory(*Target.Target, *Address);
-  }
-  if (Target.Kind == TypeKind::Void)
-    return Value::computed(To, {});
-  Expected<Value> Source = withoutReference(From, Frame);
-  if (!Source)
-    return Source;
-  if (Target.isRecord() || Target.Kind == TypeKind::Array) {
-    if (isSameType(Source->type(), To))
-      return Source->as(To);
-    // A view of the same memory; gdb allows it when the sizes are the same.
-    std::optional<uint32_t> Address = Source->address();
-    if (Source->type().Size == Target.Size && Address)
-      return Value::inMemory(To, *Address);
-    return createStringError("Invalid cast.");
-  }
-  if (KeepBits && Source->type().Size == Target.Size) {
-    Expected<SmallVector<uint8_t, 16>> Bytes = Source->bytes(Frame);
-    if (!Bytes)
-      return Bytes.takeError();
-    return Value::computed(To, *Bytes);
-  }
-  Expected<Number> A = promote(*Source, Frame);
+  Expected<Number> A = promote(From, Frame);
   if (!A)
     return A.takeError();
   if (Target.Kind == TypeKind::Float) {
@@ -438,6 +465,34 @@ Expected<Value> Arithmetic::convert(const Value &From, const Type &To,
         To, realToInteger(A->RealNumber, Target.Size, To.isSigned()));
   }
   return Value::integer(To, A->Bits);
+}
+
+Expected<Value> Arithmetic::convert(const Value &From, const Type &To,
+                                    const FrameContext &Frame,
+                                    bool KeepBits) const {
+  const Type &Target = To.stripped();
+  if (Target.isReference())
+    return convertReference(From, To, Frame, KeepBits);
+  if (Target.Kind == TypeKind::Void)
+    return Value::computed(To, {});
+  Expected<Value> Source = withoutReference(From, Frame);
+  if (!Source)
+    return Source;
+  if (Target.isRecord() || Target.Kind == TypeKind::Array)
+    return convertObject(*Source, To, Frame);
+  if (KeepBits && Source->type().Size == Target.Size) {
+    Expected<SmallVector<uint8_t, 16>> Bytes = Source->bytes(Frame);
+    if (!Bytes)
+      return Bytes.takeError();
+    return Value::computed(To, *Bytes);
+  }
+  Expected<std::optional<Value>> Pointer =
+      convertClassPointer(*Source, To, Frame);
+  if (!Pointer)
+    return Pointer.takeError();
+  if (const std::optional<Value> &Found = *Pointer)
+    return *Found;
+  return convertNumber(*Source, To, Frame);
 }
 
 } // namespace tp

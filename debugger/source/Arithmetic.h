@@ -69,6 +69,17 @@ public:
                                          const FrameContext &Frame) const;
 
 private:
+  llvm::Expected<Value> convertObject(const Value &From, const Type &To,
+                                      const FrameContext &Frame) const;
+  llvm::Expected<std::optional<Value>>
+  convertClassPointer(const Value &From, const Type &To,
+                      const FrameContext &Frame) const;
+  llvm::Expected<Value> convertReference(const Value &From, const Type &To,
+                                         const FrameContext &Frame,
+                                         bool KeepBits) const;
+  llvm::Expected<Value> convertNumber(const Value &From, const Type &To,
+                                      const FrameContext &Frame) const;
+
   /// A promoted operand.
   struct Number {
     enum NumberKind : uint8_t { Integer, Real, Pointer } Kind = Integer;
@@ -101,6 +112,10 @@ private:
   llvm::Expected<Value> pointers(OperatorKind Operator, const Number &Left,
                                  const Number &Right) const;
 };
+
+/// As the TP's instructions convert: out of range gives the nearest, NaN 0. To
+/// what is shorter than int it goes by int.
+uint64_t realToInteger(double Number, unsigned Bytes, bool IsSigned);
 
 /// Whether the result is true or false.
 bool isComparison(OperatorKind Operator);

@@ -9,6 +9,7 @@
 
 #include "debugger/source/Value.h"
 
+#include "llvm/ADT/STLFunctionalExtras.h"
 #include "llvm/ADT/StringRef.h"
 
 #include <cstdint>
@@ -49,8 +50,21 @@ llvm::Expected<std::vector<NamedValue>> children(const Value &Of,
 llvm::Expected<Value> pointee(const Value &Of, const FrameContext &Frame);
 
 /// The member \p Name of a structure, of its bases or of the anonymous
-/// structures and unions in it; nothing if there is none.
-std::optional<Value> findMember(const Value &Of, llvm::StringRef Name);
+/// structures and unions in it; nothing if there is none. The error says why
+/// a virtual base cannot be found.
+llvm::Expected<std::optional<Value>>
+findMember(const Value &Of, llvm::StringRef Name, const FrameContext &Frame);
+
+/// The object \p Of or that of its bases whose class \p IsWanted; nothing if
+/// there is none. Errors as findMember().
+llvm::Expected<std::optional<Value>>
+findBase(const Value &Of, llvm::function_ref<bool(const Type &)> IsWanted,
+         const FrameContext &Frame);
+
+/// The object \p Of as its base class \p To, or as \p To of which it is the
+/// base; nothing if the classes are not related so. Errors as findMember().
+llvm::Expected<std::optional<Value>>
+asRelatedClass(const Value &Of, const Type &To, const FrameContext &Frame);
 
 } // namespace tp
 

@@ -1,5 +1,4 @@
-//===- DebugInformation.h - All that is known of a program's source *- C++
-//-*-===//
+//===- DebugInformation.h - What a program says of its source ---*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -43,7 +43,7 @@ static std::optional<unsigned> registerNumber(StringRef Name) {
   std::optional<unsigned> Special = StringSwitch<std::optional<unsigned>>(Name)
                                         .Case("sp", StackPointerRegister)
                                         .Case("fp", 30)
-                                        .Case("ra", 31)
+                                        .Case("ra", LinkRegister)
                                         .Default(std::nullopt);
   if (Special)
     return Special;
@@ -102,6 +102,23 @@ Expected<Value> ExpressionEvaluator::earlier(const ExpressionNode &Node,
   return *Found;
 }
 
+Expected<Value> ExpressionEvaluator::object(const ExpressionNode &Node,
+                                            Place At) const {
+  Expected<Value> Result = run(Node, At);
+  return Result ? Math.withoutReference(*Result, At.Frame) : std::move(Result);
+}
+
+Expected<uint64_t> ExpressionEvaluator::integer(const Value &Of,
+                                                Place At) const {
+  Expected<Value> Plain = Math.decayed(Of, At.Frame);
+  if (!Plain)
+    return Plain.takeError();
+  if (!Plain->type().isInteger() && !Plain->type().isPointer())
+    return createStringError("A value of type " + Plain->type().Name +
+                             " is no integer.");
+  return Plain->asInteger(At.Frame);
+}
+
 Expected<Value> ExpressionEvaluator::dereference(const Value &Of,
                                                  Place At) const {
   Expected<Value> Pointer = Math.decayed(Of, At.Frame);
@@ -123,10 +140,7 @@ Expected<Value> ExpressionEvaluator::dereference(const Value &Of,
 
 Expected<Value> ExpressionEvaluator::addressOf(const ExpressionNode &Node,
                                                Place At) const {
-  Expected<Value> Object = run(*Node.Operands[0], At);
-  if (!Object)
-    return Object;
-  Expected<Value> Plain = Math.withoutReference(*Object, At.Frame);
+  Expected<Value> Plain = object(*Node.Operands[0], At);
   if (!Plain)
     return Plain;
   if (Plain->isBitField())
@@ -174,74 +188,75 @@ Expected<Value> ExpressionEvaluator::logical(const ExpressionNode &Node,
   return Value::integer(Information.types().basic("bool"), Result);
 }
 
-/// Gives the object that \p Target is the value \p New.
-Expected<Value> ExpressionEvaluator::store(const ExpressionNode &Target,
-                                           const Value &New, Place At) const {
-  if (Target.Kind == NodeKind::Convenience) {
-    if (!At.History)
-      return createStringError("$" + Target.Name + " cannot be set here.");
-    Expected<Value> Plain = Math.withoutReference(New, At.Frame);
-    if (!Plain)
-      return Plain;
-    Expected<Value> Kept = Plain->snapshot(At.Frame);
-    if (Kept)
-      At.History->setVariable(Target.Name, *Kept);
-    return Kept;
-  }
-  if (Target.Kind == NodeKind::Register && Target.Name == "pc") {
-    Expected<Value> Number =
-        Math.convert(New, Information.types().basic("unsigned int"), At.Frame);
-    if (!Number)
-      return Number;
-    Expected<uint64_t> Pc = Number->asInteger(At.Frame);
-    if (!Pc)
-      return Pc.takeError();
-    if (At.Frame.IsCaller || !At.Frame.Machine->WritePc ||
-        !At.Frame.Machine->WritePc(uint32_t(*Pc)))
-      return createStringError("$pc cannot be set here.");
-    return Number;
-  }
-  Expected<Value> Object = run(Target, At);
-  if (!Object)
-    return Object;
-  Expected<Value> Plain = Math.withoutReference(*Object, At.Frame);
+Expected<Value> ExpressionEvaluator::setConvenience(StringRef Name,
+                                                    const Value &New,
+                                                    Place At) const {
+  if (!At.History)
+    return createStringError("$" + Name + " cannot be set here.");
+  Expected<Value> Plain = Math.withoutReference(New, At.Frame);
   if (!Plain)
     return Plain;
-  Expected<Value> Converted = Math.convert(New, Plain->type(), At.Frame);
+  Expected<Value> Kept = Plain->snapshot(At.Frame);
+  if (Kept)
+    At.History->setVariable(Name, *Kept);
+  return Kept;
+}
+
+Expected<Value> ExpressionEvaluator::setPc(const Value &New, Place At) const {
+  Expected<Value> Number =
+      Math.convert(New, Information.types().basic("unsigned int"), At.Frame);
+  if (!Number)
+    return Number;
+  Expected<uint64_t> Pc = Number->asInteger(At.Frame);
+  if (!Pc)
+    return Pc.takeError();
+  if (At.Frame.IsCaller || !At.Frame.Machine->WritePc ||
+      !At.Frame.Machine->WritePc(uint32_t(*Pc)))
+    return createStringError("$pc cannot be set here.");
+  return Number;
+}
+
+/// Gives \p Object, what \p Target names, the value \p New. The target is not
+/// evaluated again, as it may have effects.
+Expected<Value> ExpressionEvaluator::store(const ExpressionNode &Target,
+                                           const Value &Object,
+                                           const Value &New, Place At) const {
+  if (Target.Kind == NodeKind::Convenience)
+    return setConvenience(Target.Name, New, At);
+  if (Target.Kind == NodeKind::Register && Target.Name == "pc")
+    return setPc(New, At);
+  Expected<Value> Converted = Math.convert(New, Object.type(), At.Frame);
   if (!Converted)
     return Converted;
-  if (Plain->isBitField()) {
+  if (Object.isBitField()) {
     Expected<uint64_t> Number = Converted->asInteger(At.Frame);
     if (!Number)
       return Number.takeError();
-    if (Error Problem = Plain->assignInteger(At.Frame, *Number))
+    if (Error Problem = Object.assignInteger(At.Frame, *Number))
       return std::move(Problem);
     return Converted;
   }
   Expected<SmallVector<uint8_t, 16>> Bytes = Converted->bytes(At.Frame);
   if (!Bytes)
     return Bytes.takeError();
-  if (Error Problem = Plain->assign(At.Frame, *Bytes))
+  if (Error Problem = Object.assign(At.Frame, *Bytes))
     return std::move(Problem);
-  return Value::computed(Plain->type(), *Bytes);
+  return Value::computed(Object.type(), *Bytes);
 }
 
 Expected<Value> ExpressionEvaluator::step(const ExpressionNode &Node,
                                           Place At) const {
-  Expected<Value> Old = run(*Node.Operands[0], At);
-  if (!Old)
-    return Old;
-  Expected<Value> Plain = Math.withoutReference(*Old, At.Frame);
-  if (!Plain)
-    return Plain;
-  Expected<Value> Before = Plain->snapshot(At.Frame);
+  Expected<Value> Target = object(*Node.Operands[0], At);
+  if (!Target)
+    return Target;
+  Expected<Value> Before = Target->snapshot(At.Frame);
   if (!Before)
     return Before;
   Value One = Value::integer(Information.types().basic("int"), 1);
   Expected<Value> New = Math.binary(Node.Operator, *Before, One, At.Frame);
   if (!New)
     return New;
-  Expected<Value> Stored = store(*Node.Operands[0], *New, At);
+  Expected<Value> Stored = store(*Node.Operands[0], *Target, *New, At);
   if (!Stored || Node.Kind == NodeKind::PreStep)
     return Stored;
   return Before;
@@ -253,23 +268,23 @@ Expected<Value> ExpressionEvaluator::assign(const ExpressionNode &Node,
   Expected<Value> New = run(*Node.Operands[1], At);
   if (!New)
     return New;
-  if (Node.Operator != OperatorKind::None) {
-    Expected<Value> Old = run(Target, At);
-    if (!Old)
-      return Old;
-    New = Math.binary(Node.Operator, *Old, *New, At.Frame);
-    if (!New)
-      return New;
-  }
-  return store(Target, *New, At);
+  bool IsPlain = Node.Operator == OperatorKind::None;
+  // It need not have a value yet.
+  if (IsPlain && Target.Kind == NodeKind::Convenience)
+    return setConvenience(Target.Name, *New, At);
+  Expected<Value> Object = object(Target, At);
+  if (!Object)
+    return Object;
+  if (!IsPlain)
+    New = Math.binary(Node.Operator, *Object, *New, At.Frame);
+  if (!New)
+    return New;
+  return store(Target, *Object, *New, At);
 }
 
 Expected<Value> ExpressionEvaluator::member(const ExpressionNode &Node,
                                             Place At) const {
-  Expected<Value> Object = run(*Node.Operands[0], At);
-  if (!Object)
-    return Object;
-  Object = Math.withoutReference(*Object, At.Frame);
+  Expected<Value> Object = object(*Node.Operands[0], At);
   if (!Object)
     return Object;
   // As in gdb, `.` and `->` both work on pointers.
@@ -285,36 +300,26 @@ Expected<Value> ExpressionEvaluator::member(const ExpressionNode &Node,
   if (Last == Name)
     return Names.member(*Object, Name, At.Frame);
   // `object.Base::member`.
-  Expected<Value> Inner = createStringError("There is no base named " +
-                                            Name.drop_back(Last.size()) + ".");
   StringRef Wanted = Name.drop_back(Last.size() + 2);
-  SmallVector<Value, 8> Pending = {*Object};
-  while (!Pending.empty()) {
-    Value Part = Pending.pop_back_val();
-    const Type &Record = Part.type().stripped();
-    if (matchesName(Record.Name, Wanted)) {
-      consumeError(Inner.takeError());
-      return Names.member(Part, Last, At.Frame);
-    }
-    for (const Member &Base : Record.Members)
-      if (Base.IsBase && !Base.IsVirtualBase)
-        Pending.push_back(Part.part(*Base.Of, Base.Offset));
-  }
-  return Inner;
+  Expected<std::optional<Value>> Base = findBase(
+      *Object,
+      [&](const Type &Class) {
+        return matchesName(Class.stripped().Name, Wanted);
+      },
+      At.Frame);
+  if (!Base)
+    return Base.takeError();
+  if (const std::optional<Value> &Found = *Base)
+    return Names.member(*Found, Last, At.Frame);
+  return createStringError("There is no base named " + Wanted + ".");
 }
 
 Expected<Value> ExpressionEvaluator::index(const ExpressionNode &Node,
                                            Place At) const {
-  Expected<Value> Object = run(*Node.Operands[0], At);
+  Expected<Value> Object = object(*Node.Operands[0], At);
   if (!Object)
     return Object;
-  Object = Math.withoutReference(*Object, At.Frame);
-  if (!Object)
-    return Object;
-  Expected<Value> Index = run(*Node.Operands[1], At);
-  if (!Index)
-    return Index;
-  Index = Math.withoutReference(*Index, At.Frame);
+  Expected<Value> Index = object(*Node.Operands[1], At);
   if (!Index)
     return Index;
   // `2[array]` as C has it.
@@ -347,16 +352,13 @@ Expected<Value> ExpressionEvaluator::index(const ExpressionNode &Node,
 
 Expected<Value> ExpressionEvaluator::repeat(const ExpressionNode &Node,
                                             Place At) const {
-  Expected<Value> First = run(*Node.Operands[0], At);
-  if (!First)
-    return First;
-  First = Math.withoutReference(*First, At.Frame);
+  Expected<Value> First = object(*Node.Operands[0], At);
   if (!First)
     return First;
   Expected<Value> Count = run(*Node.Operands[1], At);
   if (!Count)
     return Count;
-  Expected<uint64_t> Number = Count->asInteger(At.Frame);
+  Expected<uint64_t> Number = integer(*Count, At);
   if (!Number)
     return Number.takeError();
   if (int64_t(*Number) <= 0 || *Number > (1u << 24))
@@ -386,6 +388,22 @@ Expected<Value> ExpressionEvaluator::branch(const ExpressionNode &Taken,
   if (!Common || isSameType(*Common, Result->type()))
     return Result;
   return Math.convert(*Result, *Common, At.Frame);
+}
+
+Expected<Value> ExpressionEvaluator::sizeOf(const ExpressionNode &Node,
+                                            Place At) const {
+  const Type *Of = Node.Of;
+  if (!Of) {
+    Expected<Value> Operand = run(*Node.Operands[0], At);
+    if (!Operand)
+      return Operand;
+    Of = &Operand->type();
+  }
+  if (Of->isReference())
+    Of = Of->stripped().Target;
+  if (Of->stripped().Kind == TypeKind::Incomplete)
+    return createStringError(Of->Name + " is incomplete.");
+  return Value::integer(Information.types().basic("unsigned int"), Of->Size);
 }
 
 Expected<Value> ExpressionEvaluator::run(const ExpressionNode &Node,
@@ -421,21 +439,15 @@ Expected<Value> ExpressionEvaluator::run(const ExpressionNode &Node,
     return index(Node, At);
   case NodeKind::Repeat:
     return repeat(Node, At);
-  case NodeKind::SizeOf: {
-    const Type *Of = Node.Of;
-    if (!Of) {
-      Expected<Value> Operand = run(*Node.Operands[0], At);
-      if (!Operand)
-        return Operand;
-      Of = &Operand->type();
-    }
-    if (Of->isReference())
-      Of = Of->stripped().Target;
-    return Value::integer(Information.types().basic("unsigned int"), Of->Size);
-  }
+  case NodeKind::SizeOf:
+    return sizeOf(Node, At);
   default:
-    break;
+    return ofValue(Node, At);
   }
+}
+
+Expected<Value> ExpressionEvaluator::ofValue(const ExpressionNode &Node,
+                                             Place At) const {
   Expected<Value> First = run(*Node.Operands[0], At);
   if (!First)
     return First;
@@ -462,10 +474,7 @@ Expected<Value> ExpressionEvaluator::run(const ExpressionNode &Node,
     return Math.convert(*First, *Node.Of, At.Frame, Node.KeepBits);
   }
   case NodeKind::At: {
-    First = Math.decayed(*First, At.Frame);
-    if (!First)
-      return First;
-    Expected<uint64_t> Address = First->asInteger(At.Frame);
+    Expected<uint64_t> Address = integer(*First, At);
     if (!Address)
       return Address.takeError();
     return Value::inMemory(*Node.Of, uint32_t(*Address));

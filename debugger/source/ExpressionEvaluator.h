@@ -40,6 +40,12 @@ private:
   };
 
   llvm::Expected<Value> run(const ExpressionNode &Node, Place At) const;
+  /// Operators that need no more than the value of their first operand.
+  llvm::Expected<Value> ofValue(const ExpressionNode &Node, Place At) const;
+  /// The value of a node, of a reference what it refers to.
+  llvm::Expected<Value> object(const ExpressionNode &Node, Place At) const;
+  /// The number of an integer or pointer, not of another type.
+  llvm::Expected<uint64_t> integer(const Value &Of, Place At) const;
   llvm::Expected<Value> name(const ExpressionNode &Node, Place At) const;
   llvm::Expected<Value> registerValue(llvm::StringRef Name, Place At) const;
   llvm::Expected<Value> earlier(const ExpressionNode &Node, Place At) const;
@@ -49,13 +55,17 @@ private:
   llvm::Expected<Value> logical(const ExpressionNode &Node, Place At) const;
   llvm::Expected<Value> step(const ExpressionNode &Node, Place At) const;
   llvm::Expected<Value> assign(const ExpressionNode &Node, Place At) const;
-  llvm::Expected<Value> store(const ExpressionNode &Target, const Value &New,
-                              Place At) const;
+  llvm::Expected<Value> setConvenience(llvm::StringRef Name, const Value &New,
+                                       Place At) const;
+  llvm::Expected<Value> setPc(const Value &New, Place At) const;
+  llvm::Expected<Value> store(const ExpressionNode &Target, const Value &Object,
+                              const Value &New, Place At) const;
   llvm::Expected<Value> member(const ExpressionNode &Node, Place At) const;
   llvm::Expected<Value> index(const ExpressionNode &Node, Place At) const;
   llvm::Expected<Value> branch(const ExpressionNode &Taken,
                                const ExpressionNode &Other, Place At) const;
   llvm::Expected<Value> repeat(const ExpressionNode &Node, Place At) const;
+  llvm::Expected<Value> sizeOf(const ExpressionNode &Node, Place At) const;
 };
 
 } // namespace tp

@@ -63,6 +63,10 @@ Error Lexer::run(std::vector<Token> &Tokens) {
     if (!Next)
       return Next.takeError();
     Tokens.push_back(std::move(*Next));
+    // Trees are as deep as their expressions are long.
+    constexpr size_t MaxTokens = 2000;
+    if (Tokens.size() > MaxTokens)
+      return createStringError("The expression is too long.");
   }
   Tokens.emplace_back();
   return Error::success();
@@ -117,12 +121,18 @@ Expected<Token> Lexer::number() {
   return Result;
 }
 
+static std::string withoutSeparators(StringRef Number) {
+  std::string Digits = Number.str();
+  erase(Digits, '\'');
+  return Digits;
+}
+
 Expected<Token> Lexer::real(StringRef Text) {
   Token Result;
   Result.Kind = TokenKind::Real;
   Result.Text = Text;
   Result.TypeName = "double";
-  std::string Digits = Text.str();
+  std::string Digits = withoutSeparators(Text);
   bool IsHex = Text.starts_with_insensitive("0x");
   if (toLower(Digits.back()) == 'f' &&
       (!IsHex || Text.contains_insensitive("p"))) {
@@ -147,10 +157,7 @@ Expected<Token> Lexer::integer(StringRef Text) {
   Token Result;
   Result.Kind = TokenKind::Integer;
   Result.Text = Text;
-  std::string Digits;
-  for (char C : Text)
-    if (C != '\'')
-      Digits += C;
+  std::string Digits = withoutSeparators(Text);
   StringRef Body = Digits;
   bool IsDecimal = !Body.starts_with("0") || Body.size() == 1;
   StringRef Suffix =

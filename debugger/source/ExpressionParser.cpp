@@ -50,6 +50,8 @@ static constexpr BinaryWord kBinaryWords[] = {
     {"%", 11, NodeKind::Binary, OperatorKind::Remainder},
 };
 
+static constexpr unsigned kMaxDepth = 500;
+
 static const BinaryWord *binaryWord(const Token &Word) {
   if (Word.Kind != TokenKind::Punctuator)
     return nullptr;
@@ -64,6 +66,12 @@ static NodePointer makeNode(NodeKind Kind, Operands... Children) {
   auto Node = std::make_unique<ExpressionNode>();
   Node->Kind = Kind;
   (Node->Operands.push_back(std::move(Children)), ...);
+  return Node;
+}
+
+static NodePointer makeCast(const Type &To, NodePointer Operand) {
+  NodePointer Node = makeNode(NodeKind::Cast, std::move(Operand));
+  Node->Of = &To;
   return Node;
 }
 
@@ -115,8 +123,7 @@ Expected<NodePointer> ExpressionParser::comma() {
 
 Expected<NodePointer> ExpressionParser::assignment() {
   // Each level of brackets comes by here.
-  constexpr unsigned MaxDepth = 500;
-  if (++Depth > MaxDepth)
+  if (++Depth > kMaxDepth)
     return createStringError("The expression is nested too deeply.");
   scope_exit Leave([this] { --Depth; });
   Expected<NodePointer> Left = conditional();
@@ -178,8 +185,7 @@ Expected<NodePointer> ExpressionParser::binary(unsigned MinPrecedence) {
 }
 
 Expected<NodePointer> ExpressionParser::unary() {
-  constexpr unsigned MaxDepth = 500;
-  if (++Depth > MaxDepth)
+  if (++Depth > kMaxDepth)
     return createStringError("The expression is nested too deeply.");
   scope_exit Leave([this] { --Depth; });
   struct Prefix {
@@ -211,25 +217,30 @@ Expected<NodePointer> ExpressionParser::unary() {
     return sizeOf();
   if (peek().is("("))
     return parenthesis();
-  if (accept("{")) {
-    Expected<const Type *> Of = typeName();
-    if (!Of)
-      return Of.takeError();
-    if (!*Of)
-      return unexpected();
-    if (Error Problem = expect("}"))
-      return std::move(Problem);
-    Expected<NodePointer> Address = unary();
-    if (!Address)
-      return Address;
-    NodePointer Node = makeNode(NodeKind::At, std::move(*Address));
-    Node->Of = *Of;
-    return Node;
-  }
+  if (peek().is("{"))
+    return typedAddress();
   Expected<NodePointer> Operand = primary();
   if (!Operand)
     return Operand;
   return postfix(std::move(*Operand));
+}
+
+/// `{type} address`.
+Expected<NodePointer> ExpressionParser::typedAddress() {
+  ++At;
+  Expected<const Type *> Of = typeName();
+  if (!Of)
+    return Of.takeError();
+  if (!*Of)
+    return unexpected();
+  if (Error Problem = expect("}"))
+    return std::move(Problem);
+  Expected<NodePointer> Address = unary();
+  if (!Address)
+    return Address;
+  NodePointer Node = makeNode(NodeKind::At, std::move(*Address));
+  Node->Of = *Of;
+  return Node;
 }
 
 Expected<NodePointer> ExpressionParser::sizeOf() {
@@ -254,6 +265,16 @@ Expected<NodePointer> ExpressionParser::sizeOf() {
   return makeNode(NodeKind::SizeOf, std::move(*Operand));
 }
 
+/// What stands in brackets, of which the first has been taken.
+Expected<NodePointer> ExpressionParser::bracketed() {
+  Expected<NodePointer> Inner = comma();
+  if (!Inner)
+    return Inner;
+  if (Error Problem = expect(")"))
+    return std::move(Problem);
+  return Inner;
+}
+
 Expected<NodePointer> ExpressionParser::parenthesis() {
   ++At;
   Expected<const Type *> Of = typeName();
@@ -265,17 +286,13 @@ Expected<NodePointer> ExpressionParser::parenthesis() {
     Expected<NodePointer> Operand = unary();
     if (!Operand)
       return Operand;
-    NodePointer Node = makeNode(NodeKind::Cast, std::move(*Operand));
-    Node->Of = *Of;
-    return Node;
+    return makeCast(**Of, std::move(*Operand));
   }
   if (Error Problem = unknownCast())
     return std::move(Problem);
-  Expected<NodePointer> Inner = comma();
+  Expected<NodePointer> Inner = bracketed();
   if (!Inner)
     return Inner;
-  if (Error Problem = expect(")"))
-    return std::move(Problem);
   return postfix(std::move(*Inner));
 }
 
@@ -307,13 +324,10 @@ Expected<NodePointer> ExpressionParser::namedCast() {
     return std::move(Problem);
   if (Error Problem = expect("("))
     return std::move(Problem);
-  Expected<NodePointer> Operand = comma();
+  Expected<NodePointer> Operand = bracketed();
   if (!Operand)
     return Operand;
-  if (Error Problem = expect(")"))
-    return std::move(Problem);
-  NodePointer Node = makeNode(NodeKind::Cast, std::move(*Operand));
-  Node->Of = *Of;
+  NodePointer Node = makeCast(**Of, std::move(*Operand));
   Node->KeepBits = KeepBits;
   return postfix(std::move(Node));
 }
@@ -446,14 +460,10 @@ Expected<NodePointer> ExpressionParser::name() {
   }
   // `float(x)`.
   if (accept("(")) {
-    Expected<NodePointer> Operand = comma();
+    Expected<NodePointer> Operand = bracketed();
     if (!Operand)
       return Operand;
-    if (Error Problem = expect(")"))
-      return std::move(Problem);
-    NodePointer Node = makeNode(NodeKind::Cast, std::move(*Operand));
-    Node->Of = *Of;
-    return Node;
+    return makeCast(**Of, std::move(*Operand));
   }
   NodePointer Node = makeNode(NodeKind::TypeName);
   Node->Of = *Of;

@@ -50,6 +50,8 @@ private:
   llvm::Expected<NodePointer> binary(unsigned MinPrecedence);
   llvm::Expected<NodePointer> unary();
   llvm::Expected<NodePointer> sizeOf();
+  llvm::Expected<NodePointer> typedAddress();
+  llvm::Expected<NodePointer> bracketed();
   llvm::Expected<NodePointer> parenthesis();
   llvm::Error unknownCast();
   llvm::Expected<NodePointer> namedCast();
@@ -63,6 +65,10 @@ private:
   /// none.
   llvm::Expected<const Type *> typeName();
   llvm::Expected<const Type *> declarator(const Type &Base);
+  const Type *pointers(const Type &Base);
+  unsigned innerStars();
+  const Type *arrays(const Type &Element);
+  llvm::Expected<const Type *> function(const Type &Result);
   const Type *builtin();
   const Type *namedType();
   bool isVariable(llvm::StringRef Name) const;

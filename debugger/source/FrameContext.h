@@ -1,5 +1,4 @@
-//===- FrameContext.h - A thread's state as debug information reads it *- C++
-//-*-===//
+//===- FrameContext.h - A thread's state at a frame -------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

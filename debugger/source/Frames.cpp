@@ -19,8 +19,6 @@ using namespace llvm::dwarf;
 
 namespace tp {
 
-static constexpr unsigned kReturnAddress = 31;
-
 /// What every function keeps for its caller: TPCallingConv.td's CSR_TP.
 static bool isCalleeSaved(unsigned Register) {
   return Register == 0 || (Register >= 16 && Register <= 23) ||
@@ -204,24 +202,24 @@ Unwinder::caller(const FrameContext &Context) const {
   for (unsigned Register = 0; Register != DwarfRegisters; ++Register) {
     std::optional<UnwindLocation> Rule =
         Row.getRegisterLocations().getRegisterLocation(Register);
-    if (Rule && Register == kReturnAddress &&
+    if (Rule && Register == LinkRegister &&
         Rule->getLocation() == UnwindLocation::Undefined)
       return std::nullopt;
     if (Rule) {
       if (Error Problem = restore(Register, *Rule, *Cfa, Context, Caller))
         return std::move(Problem);
-    } else if (Register != kReturnAddress && !isCalleeSaved(Register)) {
+    } else if (Register != LinkRegister && !isCalleeSaved(Register)) {
       Caller.Registers.doubt(Register);
     }
   }
-  if (!Caller.Registers.isKnown(kReturnAddress))
+  if (!Caller.Registers.isKnown(LinkRegister))
     return createStringError("the return address is not known");
   // A thread begins with 0 there.
-  if (Caller.Registers.Values[kReturnAddress] == 0)
+  if (Caller.Registers.Values[LinkRegister] == 0)
     return std::nullopt;
   Caller.Registers.set(StackPointerRegister, *Cfa);
   Caller.SavedAt[StackPointerRegister] = 0;
-  Caller.Pc = Caller.Registers.Values[kReturnAddress];
+  Caller.Pc = Caller.Registers.Values[LinkRegister];
   Caller.IsCaller = true;
   Caller.InlineDepth = 0;
   return Caller;
@@ -256,6 +254,7 @@ Backtrace Unwinder::backtrace(const FrameContext &Innermost,
   FrameContext At = Innermost;
   At.InlineDepth = 0;
   uint32_t Previous = 0;
+  unsigned Standing = 0;
   Limit = std::max<size_t>(Limit, 1);
   while (true) {
     Expected<uint32_t> Cfa = cfa(At);
@@ -278,7 +277,9 @@ Backtrace Unwinder::backtrace(const FrameContext &Innermost,
     const std::optional<FrameContext> &Outer = *Caller;
     if (!Outer)
       return Result;
-    if (*Cfa == Previous && Outer->Pc == At.Pc) {
+    // Only the innermost function and the outermost may have no frame.
+    Standing = *Cfa == Previous ? Standing + 1 : 0;
+    if (Standing == 3 || (Standing != 0 && Outer->Pc == At.Pc)) {
       Result.Problem = "the stack is corrupt: a frame is its own caller";
       return Result;
     }

@@ -18,12 +18,6 @@ using namespace llvm::dwarf;
 
 namespace tp {
 
-/// An attribute of the entry itself or of what it is a copy of.
-static std::optional<DWARFFormValue> findInOrigin(DWARFDie Die,
-                                                  Attribute Name) {
-  return Die.findRecursively(Name);
-}
-
 static std::vector<ValuePiece> constantPieces(const DWARFFormValue &Constant,
                                               uint32_t Size) {
   ValuePiece Piece;
@@ -32,15 +26,10 @@ static std::vector<ValuePiece> constantPieces(const DWARFFormValue &Constant,
   if (std::optional<ArrayRef<uint8_t>> Block = Constant.getAsBlock()) {
     Piece.Contents.assign(Block->begin(), Block->end());
   } else {
-    int64_t Number =
-        Constant.getForm() == DW_FORM_sdata ||
-                Constant.getForm() == DW_FORM_implicit_const
-            ? Constant.getAsSignedConstant().value_or(0)
-            : int64_t(Constant.getAsUnsignedConstant().value_or(0));
-    for (uint32_t I = 0; I != Size; ++I)
-      Piece.Contents.push_back(uint8_t(Number >> (8 * std::min(I, 7u))));
+    int64_t Number = constantOf(Constant).value_or(0);
+    for (uint32_t I = 0; I != std::min(Size, 16u); ++I)
+      Piece.Contents.push_back(uint8_t(Number >> std::min(8 * I, 63u)));
   }
-  Piece.Contents.resize(Size);
   return {Piece};
 }
 
@@ -48,7 +37,7 @@ Expected<std::vector<ValuePiece>>
 LocationEvaluator::locate(DWARFDie Die, uint32_t Size,
                           const FrameContext &Frame) const {
   if (std::optional<DWARFFormValue> Constant =
-          findInOrigin(Die, DW_AT_const_value))
+          Die.findRecursively(DW_AT_const_value))
     return constantPieces(*Constant, Size);
   auto [Known, IsNew] = Locations.try_emplace(Die.getOffset());
   if (IsNew && Die.find(DW_AT_location)) {
@@ -60,9 +49,7 @@ LocationEvaluator::locate(DWARFDie Die, uint32_t Size,
     }
     Known->second = std::move(*Read);
   }
-  // Evaluating may add others.
-  const DWARFLocationExpressionsVector List = Known->second;
-  for (const DWARFLocationExpression &Location : List) {
+  for (const DWARFLocationExpression &Location : Known->second) {
     uint32_t Pc = Frame.lookupPc();
     if (Location.Range &&
         (Pc < Location.Range->LowPC || Pc >= Location.Range->HighPC))
@@ -82,10 +69,8 @@ LocationEvaluator::number(DWARFDie Die, Attribute Name,
   std::optional<DWARFFormValue> Form = Die.find(Name);
   if (!Form)
     return std::nullopt;
-  if (std::optional<int64_t> Constant = Form->getAsSignedConstant())
+  if (std::optional<int64_t> Constant = constantOf(*Form))
     return *Constant;
-  if (std::optional<uint64_t> Constant = Form->getAsUnsignedConstant())
-    return int64_t(*Constant);
   if (std::optional<ArrayRef<uint8_t>> Block = Form->getAsBlock()) {
     Expected<std::optional<uint64_t>> Result =
         LocationStack(*this, *Die.getDwarfUnit(), Frame).number(*Block);

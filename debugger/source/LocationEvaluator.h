@@ -14,6 +14,7 @@
 #include "llvm/DebugInfo/DWARF/DWARFDie.h"
 #include "llvm/Support/Error.h"
 
+#include <map>
 #include <vector>
 
 namespace tp {
@@ -48,8 +49,7 @@ private:
   mutable llvm::DenseMap<uint32_t, llvm::DWARFDie> CallSites;
   mutable llvm::DenseMap<uint64_t, bool> FunctionsRead;
   /// Locations of variables by the offset of their entry.
-  mutable llvm::DenseMap<uint64_t, llvm::DWARFLocationExpressionsVector>
-      Locations;
+  mutable std::map<uint64_t, llvm::DWARFLocationExpressionsVector> Locations;
 
   llvm::Expected<uint32_t> frameBase(const FrameContext &Frame) const;
   llvm::DWARFDie callSite(uint32_t ReturnPc) const;

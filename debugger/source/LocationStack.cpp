@@ -39,7 +39,6 @@ void LocationStack::endPiece(uint32_t Bytes) {
   if (Implicit) {
     Piece.Place = ValuePiece::Computed;
     Piece.Contents.assign(Implicit->begin(), Implicit->end());
-    Piece.Contents.resize(Bytes);
   } else if (IsLost || (Kind != ValuePiece::InRegister && Stack.empty())) {
     Piece.Place = ValuePiece::Lost;
   } else if (Kind == ValuePiece::InRegister && !hasRegister(Register)) {
@@ -55,8 +54,8 @@ void LocationStack::endPiece(uint32_t Bytes) {
             ? Frame.Registers.Values[Register]
             : uint64_t(Stack.back().IsSigned ? Stack.back().signExtended()
                                              : Stack.back().zeroExtended());
-    for (uint32_t I = 0; I != Bytes; ++I)
-      Piece.Contents.push_back(I < 8 ? uint8_t(Value >> (8 * I)) : 0);
+    for (uint32_t I = 0; I != std::min(Bytes, 8u); ++I)
+      Piece.Contents.push_back(uint8_t(Value >> (8 * I)));
   }
   Pieces.push_back(std::move(Piece));
   Stack.clear();
@@ -305,8 +304,7 @@ Error LocationStack::dereference(unsigned Bytes, Entry Type) {
   uint8_t Buffer[8] = {};
   uint32_t Address = uint32_t(Stack.pop_back_val().Value);
   if (!Frame.read(Address, MutableArrayRef(Buffer, Bytes)))
-    return createStringError("Cannot access memory at address 0x" +
-                             utohexstr(Address, true));
+    return cannotAccess(Address);
   Type.Value = support::endian::read64le(Buffer);
   Stack.push_back(Type);
   return Error::success();
@@ -403,6 +401,8 @@ Error LocationStack::special(const Operation &Op,
     Kind = ValuePiece::Computed;
     return Error::success();
   case DW_OP_implicit_value:
+    if (Op.getEndOffset() > Expression.size())
+      return malformed("broken expression");
     Implicit = Expression.slice(Op.getRawOperand(1), Op.getRawOperand(0));
     return Error::success();
   case DW_OP_piece:

@@ -1,5 +1,4 @@
-//===- LocationStack.h - The stack machine of DWARF's expressions *- C++
-//-*-===//
+//===- LocationStack.h - DWARF's stack machine ------------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

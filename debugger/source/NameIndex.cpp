@@ -17,8 +17,20 @@ namespace tp {
 
 static constexpr StringLiteral kAnonymousNamespace = "(anonymous namespace)";
 
+std::optional<int64_t> constantOf(const DWARFFormValue &Form) {
+  // The forms of a fixed size do not say whether they are signed.
+  bool IsSigned =
+      is_contained({DW_FORM_sdata, DW_FORM_implicit_const}, Form.getForm());
+  if (IsSigned)
+    return Form.getAsSignedConstant();
+  std::optional<uint64_t> Number = Form.getAsUnsignedConstant();
+  return Number ? std::optional(int64_t(*Number)) : std::nullopt;
+}
+
 DWARFDie originOf(DWARFDie Die) {
-  while (Die) {
+  // A declaration, its definition, a copy: more are a loop.
+  constexpr unsigned MaxOrigins = 16;
+  for (unsigned I = 0; Die && I != MaxOrigins; ++I) {
     DWARFDie Next = Die.getAttributeValueAsReferencedDie(DW_AT_specification);
     if (!Next)
       Next = Die.getAttributeValueAsReferencedDie(DW_AT_abstract_origin);

@@ -13,6 +13,7 @@
 #include "llvm/ADT/StringRef.h"
 #include "llvm/DebugInfo/DWARF/DWARFDie.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,10 @@ private:
   void add(llvm::DWARFDie Die);
   void addVariable(llvm::DWARFDie Die);
 };
+
+/// The number that an attribute holds, signed if its form says so; nothing if
+/// it holds none.
+std::optional<int64_t> constantOf(const llvm::DWARFFormValue &Form);
 
 /// The entry that has the name: what \p Die completes or is a copy of.
 llvm::DWARFDie originOf(llvm::DWARFDie Die);

@@ -10,6 +10,7 @@
 #include "debugger/source/DebugInformation.h"
 #include "debugger/source/NameIndex.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/DebugInfo/DWARF/DWARFUnit.h"
 
 using namespace llvm;
@@ -21,16 +22,23 @@ bool NameResolver::isMemberName(const Type &Record, StringRef Name) const {
   const Type &Plain = Record.stripped();
   if (!Plain.isRecord())
     return false;
+  if (Plain.hasMember(Name))
+    return true;
   for (const StaticMember &Part : Plain.StaticMembers)
     if (Part.Name == Name)
       return true;
-  for (const Member &Part : Plain.Members) {
-    if (Part.Name == Name && !Part.IsBase)
-      return true;
-    if ((Part.IsBase || Part.Name.empty()) && isMemberName(*Part.Of, Name))
-      return true;
-  }
-  return false;
+  return any_of(Plain.Members, [&](const Member &Part) {
+    return Part.IsBase && isMemberName(*Part.Of, Name);
+  });
+}
+
+/// The class whose `this` the lambda \p Closure holds; nullptr if it holds
+/// none.
+static const Type *capturedThis(const Type &Closure) {
+  for (const Member &Part : Closure.stripped().Members)
+    if (Part.Name == "this")
+      return Part.Of->stripped().Target;
+  return nullptr;
 }
 
 Expected<std::optional<Value>>
@@ -64,7 +72,10 @@ Expected<Value> NameResolver::member(const Value &Object, StringRef Name,
         "Attempt to extract a component of a value that is not a structure.");
   if (Object.type().stripped().Kind == TypeKind::Incomplete)
     return createStringError(Object.type().Name + " is incomplete.");
-  if (std::optional<Value> Found = findMember(Object, Name))
+  Expected<std::optional<Value>> Member = findMember(Object, Name, Frame);
+  if (!Member)
+    return Member.takeError();
+  if (const std::optional<Value> &Found = *Member)
     return *Found;
   Expected<std::optional<Value>> Static =
       staticMember(Object.type(), Name, Frame);
@@ -99,13 +110,14 @@ std::optional<Value> NameResolver::enumerator(StringRef Name,
 
 std::optional<Value> NameResolver::function(StringRef Name) const {
   const SourceMap &Map = Information.map();
+  TypeTable &Types = Information.types();
   for (uint32_t Index : Map.findFunctions(Name)) {
     const FunctionInfo &Function = Map.function(Index);
     if (Function.InlinedInto)
       continue;
     return Value::inMemory(
-        Information.types().function(
-            Function.Die,
+        Types.function(
+            Function.Die ? Types.typeOf(Function.Die) : Types.basic("void"),
             StringRef(Function.Name).drop_front(Function.QualifiedName.size())),
         Function.Entry);
   }
@@ -135,13 +147,18 @@ Expected<BoundName> NameResolver::bind(StringRef Name,
     Result.Info = Info;
     return Result;
   };
+  std::optional<VariableInfo> This = Known.findLocal(Frame, "this");
+  const Type *Object = This ? This->Of->stripped().Target : nullptr;
+  // In a lambda it is what the lambda holds.
+  const Type *Captured = Object ? capturedThis(*Object) : nullptr;
+  if (Captured && Name == "this")
+    return Use(BoundName::MemberOfThis, *This);
   if (std::optional<VariableInfo> Local = Known.findLocal(Frame, Name))
     return Use(BoundName::Variable, *Local);
-  if (std::optional<VariableInfo> This = Known.findLocal(Frame, "this")) {
-    const Type &Pointer = This->Of->stripped();
-    if (Pointer.Target && isMemberName(*Pointer.Target, Name))
-      return Use(BoundName::MemberOfThis, *This);
-  }
+  if (Object && isMemberName(*Object, Name))
+    return Use(BoundName::MemberOfThis, *This);
+  if (Captured && isMemberName(*Captured, Name))
+    return Use(BoundName::MemberOfCaptured, *This);
   if (std::optional<VariableInfo> Global = Known.findGlobal(Frame, Name))
     return Use(BoundName::Variable, *Global);
   if (std::optional<Value> Named = enumerator(Name, Frame)) {
@@ -172,6 +189,12 @@ Expected<Value> NameResolver::value(const BoundName &Bound, StringRef Name,
   if (Found->isOptimizedOut())
     return createStringError("value of \"this\" has been optimized out");
   Expected<Value> Object = pointee(*Found, Frame);
+  if (Object && Bound.Kind == BoundName::MemberOfCaptured) {
+    Expected<Value> Captured = member(*Object, "this", Frame);
+    if (!Captured)
+      return Captured;
+    Object = pointee(*Captured, Frame);
+  }
   if (!Object)
     return Object;
   return member(*Object, Name, Frame);

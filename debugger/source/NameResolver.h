@@ -23,7 +23,13 @@ class DebugInformation;
 struct BoundName {
   uint32_t Pc = 0;
   unsigned InlineDepth = 0;
-  enum NameKind : uint8_t { Variable, MemberOfThis, Constant } Kind = Constant;
+  enum NameKind : uint8_t {
+    Variable,
+    MemberOfThis,
+    /// Of the object whose `this` a lambda holds.
+    MemberOfCaptured,
+    Constant
+  } Kind = Constant;
   /// Variable, or `this`.
   VariableInfo Info;
   /// Constant: an enumerator, a function, a constant of a class.

@@ -67,7 +67,7 @@ std::string quoted(StringRef Text) {
 
 std::string formatReal(double Number, unsigned Bytes) {
   if (std::isnan(Number)) {
-    uint64_t Bits = Bytes == 4 ? bit_cast<uint32_t>(float(Number)) & 0x7fffff
+    uint64_t Bits = Bytes <= 4 ? bit_cast<uint32_t>(float(Number)) & 0x7fffff
                                : bit_cast<uint64_t>(Number) &
                                      maskTrailingOnes<uint64_t>(52);
     return (std::signbit(Number) ? "-nan(0x" : "nan(0x") +
@@ -77,7 +77,7 @@ std::string formatReal(double Number, unsigned Bytes) {
     return Number < 0 ? "-inf" : "inf";
   char Buffer[64];
   std::to_chars_result End =
-      Bytes == 4 ? std::to_chars(Buffer, std::end(Buffer), float(Number))
+      Bytes <= 4 ? std::to_chars(Buffer, std::end(Buffer), float(Number))
                  : std::to_chars(Buffer, std::end(Buffer), Number);
   return std::string(Buffer, End.ptr);
 }

@@ -1,5 +1,4 @@
-//===- SourceMap.h - Lines and functions of a program's addresses *- C++
-//-*-===//
+//===- SourceMap.h - Lines and functions by address -------------*- C++ -*-===//
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //

@@ -264,7 +264,7 @@ void SourceMapReader::addSymbolFunctions() {
     FunctionInfo Info;
     Info.Name = demangle(Symbol.Name);
     Info.QualifiedName =
-        StringRef(Info.Name).take_until([](char C) { return C == '('; }).str();
+        StringRef(Info.Name).take_front(parameterListOf(Info.Name)).str();
     Info.BaseName = lastComponent(Info.QualifiedName).str();
     Info.LinkageName = Symbol.Name;
     Info.Ranges = {{Symbol.Address, End}};

@@ -6,6 +6,8 @@
 
 #include "debugger/source/Type.h"
 
+#include "llvm/ADT/STLExtras.h"
+
 namespace tp {
 
 const Type &Type::stripped() const {
@@ -63,6 +65,13 @@ bool Type::isRecord() const {
 
 bool Type::isCharacter() const {
   return stripped().Kind == TypeKind::Character;
+}
+
+bool Type::hasMember(llvm::StringRef Name) const {
+  return llvm::any_of(stripped().Members, [&](const Member &Part) {
+    return (!Part.IsBase && Part.Name == Name) ||
+           ((Part.IsBase || Part.Name.empty()) && Part.Of->hasMember(Name));
+  });
 }
 
 bool isSameType(const Type &A, const Type &B) {

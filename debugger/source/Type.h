@@ -7,6 +7,7 @@
 #ifndef TP_DEBUGGER_SOURCE_TYPE_H
 #define TP_DEBUGGER_SOURCE_TYPE_H
 
+#include "llvm/ADT/StringRef.h"
 #include "llvm/DebugInfo/DWARF/DWARFDie.h"
 
 #include <cstdint>
@@ -57,6 +58,9 @@ struct Member {
   uint32_t BitOffset = 0;
   bool IsBase = false;
   bool IsVirtualBase = false;
+  /// Of a virtual base: how far in front of what the vtable's pointer points to
+  /// its offset stands; 0 if the program does not say.
+  uint32_t VirtualBaseSlot = 0;
   /// The vtable's pointer.
   bool IsArtificial = false;
 };
@@ -106,6 +110,9 @@ public:
   bool isReference() const;
   bool isRecord() const;
   bool isCharacter() const;
+  /// Of a structure: whether it, one of its bases or an anonymous structure in
+  /// it has a member of that name that is not static.
+  bool hasMember(llvm::StringRef Name) const;
 };
 
 /// Whether both describe the same type, perhaps in two units.

@@ -134,7 +134,7 @@ const Type *ExpressionParser::namedType() {
   Plain.consume_front("::");
   if (!Plain.empty() && (IsElaborated || !isVariable(Plain)))
     Found = Information.types().find(Name, Place);
-  // A variable or function of this name is more likely meant.
+  // A variable of this name is more likely meant.
   if (Found && !IsElaborated && Scope &&
       Information.variables().findGlobal(*Scope, Name) && !peek().is("*") &&
       !peek().is(")") && !peek().is("&"))
@@ -172,41 +172,91 @@ Expected<const Type *> ExpressionParser::typeName() {
   return declarator(*Base);
 }
 
-/// `*`, `&`, `[3]`, `(*)[3]`.
-Expected<const Type *> ExpressionParser::declarator(const Type &Base) {
+/// `*`, `&` and `const` behind a type.
+const Type *ExpressionParser::pointers(const Type &Base) {
   TypeTable &Types = Information.types();
   const Type *Result = &Base;
-  while (peek().is("*") || peek().is("&") || peek().is("&&") ||
-         peek().isWord("const") || peek().isWord("volatile") ||
-         peek().isWord("__restrict")) {
-    if (peek().is("*"))
+  while (true) {
+    if (accept("*"))
       Result = &Types.pointerTo(*Result);
-    else if (peek().is("&") || peek().is("&&"))
+    else if (accept("&") || accept("&&"))
       Result = &Types.referenceTo(*Result);
-    else if (peek().isWord("const"))
-      Result = &Types.qualified(TypeKind::Const, *Result);
-    ++At;
+    else if (peek().isWord("const") || peek().isWord("volatile"))
+      Result = &Types.qualified(
+          Tokens[At++].isWord("const") ? TypeKind::Const : TypeKind::Volatile,
+          *Result);
+    else if (peek().isWord("__restrict"))
+      ++At;
+    else
+      return Result;
   }
-  unsigned Stars = 0;
-  if (peek().is("(") && peek(1).is("*")) {
-    size_t Ahead = 1;
-    while (peek(Ahead).is("*"))
-      ++Ahead;
-    if (peek(Ahead).is(")") && peek(Ahead + 1).is("[")) {
-      Stars = unsigned(Ahead - 1);
-      At += Ahead + 1;
-    }
-  }
+}
+
+/// Takes the `(*)` of a pointer to an array or function: how many stars.
+unsigned ExpressionParser::innerStars() {
+  if (!peek().is("("))
+    return 0;
+  size_t Ahead = 1;
+  while (peek(Ahead).is("*"))
+    ++Ahead;
+  bool IsDeclarator = Ahead != 1 && peek(Ahead).is(")") &&
+                      (peek(Ahead + 1).is("[") || peek(Ahead + 1).is("("));
+  if (!IsDeclarator)
+    return 0;
+  At += Ahead + 1;
+  return unsigned(Ahead - 1);
+}
+
+const Type *ExpressionParser::arrays(const Type &Element) {
   std::vector<uint32_t> Counts;
   while (peek().is("[") && peek(1).Kind == TokenKind::Integer &&
          peek(2).is("]")) {
     Counts.push_back(uint32_t(peek(1).Number));
     At += 3;
   }
+  const Type *Result = &Element;
   for (uint32_t Count : reverse(Counts))
-    Result = &Types.arrayOf(*Result, Count);
+    Result = &Information.types().arrayOf(*Result, Count);
+  return Result;
+}
+
+/// `(int, float)` behind the result's type.
+Expected<const Type *> ExpressionParser::function(const Type &Result) {
+  if (Error Problem = expect("("))
+    return std::move(Problem);
+  std::string Parameters;
+  while (!accept(")")) {
+    if (!Parameters.empty()) {
+      if (Error Problem = expect(","))
+        return std::move(Problem);
+      Parameters += ", ";
+    }
+    Expected<const Type *> Parameter = typeName();
+    if (!Parameter)
+      return Parameter;
+    if (!*Parameter)
+      return unexpected();
+    Parameters += (*Parameter)->Name;
+  }
+  if (Parameters == "void")
+    Parameters.clear();
+  return &Information.types().function(Result, "(" + Parameters + ")");
+}
+
+/// `*`, `&`, `[3]`, `(*)[3]`, `(*)(int)`.
+Expected<const Type *> ExpressionParser::declarator(const Type &Base) {
+  const Type *Result = pointers(Base);
+  unsigned Stars = innerStars();
+  if (Stars != 0 && peek().is("(")) {
+    Expected<const Type *> Function = function(*Result);
+    if (!Function)
+      return Function;
+    Result = *Function;
+  } else {
+    Result = arrays(*Result);
+  }
   for (unsigned I = 0; I != Stars; ++I)
-    Result = &Types.pointerTo(*Result);
+    Result = &Information.types().pointerTo(*Result);
   return Result;
 }
 

@@ -61,8 +61,10 @@ static TypeKind kindOfEncoding(uint64_t Encoding) {
     return TypeKind::Character;
   case DW_ATE_signed:
     return TypeKind::Signed;
-  default:
+  case DW_ATE_unsigned:
     return TypeKind::Unsigned;
+  default:
+    return TypeKind::Incomplete;
   }
 }
 
@@ -107,12 +109,7 @@ static std::optional<uint32_t> countOf(DWARFDie Subrange) {
   if (std::optional<uint64_t> Count = toUnsigned(Subrange.find(DW_AT_count)))
     return uint32_t(*Count);
   std::optional<DWARFFormValue> Upper = Subrange.find(DW_AT_upper_bound);
-  if (!Upper)
-    return std::nullopt;
-  std::optional<int64_t> Bound = Upper->getAsSignedConstant();
-  if (!Bound)
-    if (std::optional<uint64_t> Unsigned = Upper->getAsUnsignedConstant())
-      Bound = int64_t(*Unsigned);
+  std::optional<int64_t> Bound = Upper ? constantOf(*Upper) : std::nullopt;
   return Bound ? std::optional(uint32_t(*Bound + 1)) : std::nullopt;
 }
 
@@ -128,7 +125,7 @@ void TypeTable::readArray(Type &Result, DWARFDie Die) {
     Element = &arrayOf(*Element, Counts[I].value_or(0));
   Result.Kind = Die.find(DW_AT_GNU_vector) ? TypeKind::Vector : TypeKind::Array;
   Result.Target = Element;
-  if (!Counts.empty())
+  if (!Counts.empty() && !is_contained(drop_begin(Counts), std::nullopt))
     Result.Count = Counts.front();
   if (!Result.Size && Result.Count)
     Result.Size = *Result.Count * Element->Size;
@@ -140,12 +137,8 @@ void TypeTable::readEnumerators(Type &Result, DWARFDie Die) {
       continue;
     Enumerator Named;
     Named.Name = baseName(Child).str();
-    if (std::optional<DWARFFormValue> Form = Child.find(DW_AT_const_value)) {
-      if (std::optional<int64_t> Number = Form->getAsSignedConstant())
-        Named.Value = *Number;
-      else
-        Named.Value = int64_t(Form->getAsUnsignedConstant().value_or(0));
-    }
+    if (std::optional<DWARFFormValue> Form = Child.find(DW_AT_const_value))
+      Named.Value = constantOf(*Form).value_or(0);
     Result.Enumerators.push_back(std::move(Named));
   }
   Result.IsScoped = Die.find(DW_AT_enum_class).has_value();
@@ -160,6 +153,22 @@ static std::optional<uint64_t> addedConstant(const DWARFFormValue &Form) {
   unsigned Length = 0;
   uint64_t Number = decodeULEB128(Block->data() + 1, &Length, Block->end());
   return Length + 1 == Block->size() ? std::optional(Number) : std::nullopt;
+}
+
+/// The number in the expression by which an object finds a virtual base: it
+/// duplicates and follows the vtable's pointer, subtracts the number, and adds
+/// what stands there. 0 if the expression is another one.
+static uint32_t virtualBaseSlot(const DWARFFormValue &Form) {
+  static constexpr uint8_t kBefore[] = {DW_OP_dup, DW_OP_deref, DW_OP_constu};
+  static constexpr uint8_t kBehind[] = {DW_OP_minus, DW_OP_deref, DW_OP_plus};
+  ArrayRef<uint8_t> Block = Form.getAsBlock().value_or(ArrayRef<uint8_t>());
+  if (!Block.take_front(std::min(Block.size(), std::size(kBefore)))
+           .equals(kBefore))
+    return 0;
+  Block = Block.drop_front(std::size(kBefore));
+  unsigned Length = 0;
+  uint64_t Number = decodeULEB128(Block.begin(), &Length, Block.end());
+  return Block.drop_front(Length).equals(kBehind) ? uint32_t(Number) : 0;
 }
 
 /// Where a member is, in bits; nothing if that is not constant.
@@ -209,6 +218,9 @@ void TypeTable::readMembers(Type &Result, DWARFDie Die) {
     uint32_t Bits = uint32_t(toUnsigned(Child.find(DW_AT_bit_size), 0));
     std::optional<uint64_t> Position = bitPosition(Child, Bits, Part.Of->Size);
     Part.IsVirtualBase = !Position;
+    if (Part.IsVirtualBase)
+      Part.VirtualBaseSlot =
+          virtualBaseSlot(*Child.find(DW_AT_data_member_location));
     Part.Offset = uint32_t(Position.value_or(0) / 8);
     Part.BitSize = Bits;
     Part.BitOffset = uint32_t(Position.value_or(0) % 8);
@@ -238,6 +250,12 @@ void TypeTable::read(Type &Result, DWARFDie Die) {
     Result.Kind = kindOfEncoding(toUnsigned(Die.find(DW_AT_encoding), 0));
     Result.IsSignedCharacter =
         toUnsigned(Die.find(DW_AT_encoding), 0) == DW_ATE_signed_char;
+    if (toUnsigned(Die.find(DW_AT_encoding), 0) == DW_ATE_complex_float) {
+      // Its real part, then its imaginary one.
+      Result.Kind = TypeKind::Vector;
+      Result.Target = &basic(Result.Size == 8 ? "float" : "double");
+      Result.Count = 2;
+    }
     break;
   case DW_TAG_array_type:
     readArray(Result, Die);

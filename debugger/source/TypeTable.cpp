@@ -53,19 +53,22 @@ TypeTable::TypeTable(const NameIndex &Names) : Names(Names) {}
 TypeTable::~TypeTable() = default;
 
 const Type &TypeTable::basic(StringRef Name) {
-  std::unique_ptr<Type> &Known = Basic[Name];
-  if (Known)
-    return *Known;
+  auto [Entry, IsNew] = Basic.try_emplace(Name);
+  if (!IsNew)
+    return *Entry->second;
   const auto *Found = find_if(
       kBasicTypes, [&](const BasicType &Entry) { return Entry.Name == Name; });
   assert(Found != std::end(kBasicTypes) && "no such basic type");
-  Known = std::make_unique<Type>();
-  Known->Name = Name.str();
-  Known->Kind = Found->Kind;
-  Known->Size = Found->Bytes;
-  Known->IsSignedCharacter =
+  Entry->second = std::make_unique<Type>();
+  Type &Known = *Entry->second;
+  Known.Name = Name.str();
+  Known.Kind = Found->Kind;
+  Known.Size = Found->Bytes;
+  Known.IsSignedCharacter =
       Name == "char" || Name == "signed char" || Name == "wchar_t";
-  return *Known;
+  if (Found->Kind == TypeKind::NullPointer)
+    Known.Target = &basic("void");
+  return Known;
 }
 
 const Type &TypeTable::integer(unsigned Bytes, bool Signed) {
@@ -163,8 +166,7 @@ const Type &TypeTable::qualified(TypeKind Qualifier, const Type &Target) {
   return Result;
 }
 
-const Type &TypeTable::function(DWARFDie Die, StringRef Parameters) {
-  const Type &Result = Die ? typeOf(Die) : basic("void");
+const Type &TypeTable::function(const Type &Result, StringRef Parameters) {
   std::string Name = Result.Name + " " + Parameters.str();
   std::unique_ptr<Type> &Known = Basic[Name];
   if (!Known) {

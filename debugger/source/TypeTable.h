@@ -38,9 +38,8 @@ public:
   const Type &referenceTo(const Type &Target);
   const Type &arrayOf(const Type &Element, uint32_t Count);
   const Type &qualified(TypeKind Qualifier, const Type &Target);
-  /// The type of the function \p Die, invalid if only its name is known;
-  /// \p Parameters in brackets.
-  const Type &function(llvm::DWARFDie Die, llvm::StringRef Parameters);
+  /// The type of a function; \p Parameters in brackets: `(int, float)`.
+  const Type &function(const Type &Result, llvm::StringRef Parameters);
   /// `int`, `unsigned int`, `long long` and so on of a number of bytes.
   const Type &integer(unsigned Bytes, bool Signed);
 

@@ -6,6 +6,7 @@
 
 #include "debugger/source/Value.h"
 
+#include "llvm/ADT/APFloat.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/bit.h"
 #include "llvm/Support/MathExtras.h"
@@ -16,6 +17,11 @@ namespace tp {
 
 static Error optimizedOutError() {
   return createStringError("the value has been optimized out");
+}
+
+Error cannotAccess(uint32_t Address) {
+  return createStringError("Cannot access memory at address 0x" +
+                           utohexstr(Address, true));
 }
 
 Value Value::inMemory(const Type &Of, uint32_t Address) {
@@ -42,9 +48,20 @@ Value Value::integer(const Type &Of, uint64_t Number) {
   return computed(Of, Bytes);
 }
 
+static const fltSemantics &halfSemantics(const Type &Of) {
+  return Of.stripped().Name == "__bf16" ? APFloat::BFloat()
+                                        : APFloat::IEEEhalf();
+}
+
 Value Value::real(const Type &Of, double Number) {
   if (Of.Size == 4)
     return integer(Of, bit_cast<uint32_t>(float(Number)));
+  if (Of.Size == 2) {
+    APFloat Half(Number);
+    bool LosesInfo;
+    Half.convert(halfSemantics(Of), APFloat::rmNearestTiesToEven, &LosesInfo);
+    return integer(Of, Half.bitcastToAPInt().getZExtValue());
+  }
   return integer(Of, bit_cast<uint64_t>(Number));
 }
 
@@ -78,6 +95,10 @@ bool Value::isOptimizedOut() const {
 
 Expected<SmallVector<uint8_t, 16>>
 Value::gather(const FrameContext &Frame, uint32_t Offset, uint32_t Size) const {
+  constexpr uint32_t MaxBytes = 64 << 20;
+  if (Size > MaxBytes)
+    return createStringError("a value of " + Twine(Size) +
+                             " bytes is too large to read");
   SmallVector<uint8_t, 16> Result(Size);
   uint32_t Begin = 0;
   uint32_t Done = 0;
@@ -93,8 +114,7 @@ Value::gather(const FrameContext &Frame, uint32_t Offset, uint32_t Size) const {
       if (Piece.Place == ValuePiece::InMemory) {
         uint32_t Address = Piece.Address + (From - Begin);
         if (!Frame.read(Address, Part))
-          return createStringError("Cannot access memory at address 0x" +
-                                   utohexstr(Address, true));
+          return cannotAccess(Address);
       } else {
         for (uint32_t I = 0; I != Part.size(); ++I)
           Part[I] = From - Begin + I < Piece.Contents.size()
@@ -159,8 +179,14 @@ Expected<double> Value::asReal(const FrameContext &Frame) const {
     return Number.takeError();
   if (Of->stripped().Kind != TypeKind::Float)
     return Of->isSigned() ? double(int64_t(*Number)) : double(*Number);
-  return Of->Size == 4 ? double(bit_cast<float>(uint32_t(*Number)))
-                       : bit_cast<double>(*Number);
+  if (Of->Size == 4)
+    return double(bit_cast<float>(uint32_t(*Number)));
+  if (Of->Size == 8)
+    return bit_cast<double>(*Number);
+  if (Of->Size != 2)
+    return createStringError("values of type " + Of->Name +
+                             " cannot be computed with");
+  return APFloat(halfSemantics(*Of), APInt(16, *Number)).convertToDouble();
 }
 
 Value Value::as(const Type &Other) const {
@@ -172,29 +198,30 @@ Value Value::as(const Type &Other) const {
 }
 
 Value Value::slice(const Type &Part, uint32_t Offset, uint32_t Size) const {
+  // What is in memory in one piece may go on around its type: the last array
+  // of a structure, an index below 0.
+  if (std::optional<uint32_t> Address = address()) {
+    Value Result = inMemory(Part, *Address + Offset);
+    Result.Pieces.front().Bytes = Size;
+    return Result;
+  }
   Value Result;
   Result.Of = &Part;
   uint32_t Begin = 0;
   for (const ValuePiece &Piece : Pieces) {
     uint32_t End = Begin + Piece.Bytes;
-    // What is in memory in one piece may go on behind its type: the last array
-    // of a structure.
-    bool IsOpen = Pieces.size() == 1 && Piece.Place == ValuePiece::InMemory;
     uint32_t From = std::max(Begin, Offset);
-    uint32_t To = IsOpen ? Offset + Size : std::min(End, Offset + Size);
-    if (From < To || (IsOpen && Size == 0)) {
+    uint32_t To = std::min(End, Offset + Size);
+    if (From < To) {
       ValuePiece New = Piece;
       New.Bytes = To - From;
       if (Piece.Place == ValuePiece::InMemory)
         New.Address = Piece.Address + (From - Begin);
-      if (!Piece.Contents.empty()) {
-        ArrayRef<uint8_t> Contents = Piece.Contents;
-        Contents = Contents.drop_front(
-            std::min<size_t>(From - Begin, Contents.size()));
-        New.Contents.assign(Contents.begin(), Contents.end());
-        New.Contents.resize(New.Bytes);
-        New.ByteInRegister = Piece.ByteInRegister + (From - Begin);
-      }
+      New.ByteInRegister = Piece.ByteInRegister + (From - Begin);
+      New.Contents.erase(
+          New.Contents.begin(),
+          New.Contents.begin() +
+              std::min<size_t>(From - Begin, New.Contents.size()));
       Result.Pieces.push_back(std::move(New));
     }
     Begin = End;

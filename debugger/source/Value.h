@@ -31,7 +31,8 @@ struct ValuePiece {
   /// InRegister: DWARF's number, and the part's first byte in the register.
   unsigned Register = 0;
   uint32_t ByteInRegister = 0;
-  /// Computed: the bytes; InRegister: what the register holds.
+  /// Computed: the bytes, zeros behind them; InRegister: what the register
+  /// holds.
   llvm::SmallVector<uint8_t, 8> Contents;
 };
 
@@ -104,6 +105,9 @@ private:
   llvm::Error store(const FrameContext &Frame, uint32_t Offset,
                     llvm::ArrayRef<uint8_t> Bytes) const;
 };
+
+/// What is said of an object in what is no memory.
+llvm::Error cannotAccess(uint32_t Address);
 
 /// A value and what to call it.
 struct NamedValue {

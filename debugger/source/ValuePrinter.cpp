@@ -6,7 +6,9 @@
 
 #include "debugger/source/ValuePrinter.h"
 
+#include "debugger/source/Arithmetic.h"
 #include "debugger/source/Children.h"
+#include "debugger/source/NameIndex.h"
 #include "debugger/source/SourceMap.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -70,6 +72,8 @@ private:
   void sequence(const Sequence &Elements, unsigned Depth);
   bool characters(const Sequence &Elements);
   void stringAt(uint32_t Address);
+  bool isRepeated(const Sequence &Elements, uint32_t Index, uint32_t Next,
+                  unsigned Depth);
   std::string element(const Sequence &Elements, uint32_t Index, unsigned Depth);
 };
 
@@ -116,7 +120,7 @@ void ValuePrinter::Writer::formatted(const Value &Of) {
       Expected<double> Number = Of.asReal(Frame);
       if (!Number)
         return problem(Number.takeError());
-      uint64_t Whole = uint64_t(int64_t(*Number));
+      uint64_t Whole = realToInteger(*Number, 8, /*IsSigned=*/true);
       uint8_t Bytes[8];
       for (unsigned I = 0; I != 8; ++I)
         Bytes[I] = uint8_t(Whole >> (8 * I));
@@ -127,7 +131,7 @@ void ValuePrinter::Writer::formatted(const Value &Of) {
   Expected<SmallVector<uint8_t, 16>> Bytes = Of.bytes(Frame);
   if (!Bytes)
     return problem(Bytes.takeError());
-  if (Options.Format == 'f' && Bytes->size() < 4)
+  if (Bytes->size() > 8 || (Options.Format == 'f' && Bytes->size() < 4))
     return scalar(Of);
   char Format = Options.Format == 's' ? 'd' : Options.Format;
   OS << formatNumber(*Bytes, Format, Map);
@@ -138,8 +142,8 @@ void ValuePrinter::Writer::enumeration(const Type &Plain, uint64_t Number) {
     if (uint64_t(Named.Value) == Number) {
       StringRef Scope = Plain.Name;
       if (!Plain.IsScoped) {
-        size_t At = Scope.rfind("::");
-        Scope = At == StringRef::npos ? StringRef() : Scope.take_front(At);
+        Scope = Scope.drop_back(lastComponent(Scope).size());
+        Scope.consume_back("::");
       }
       if (!Scope.empty() && !Scope.starts_with("("))
         OS << Scope << "::";
@@ -169,8 +173,7 @@ void ValuePrinter::Writer::stringAt(uint32_t Address) {
     uint8_t Byte;
     if (!Frame.read(Address + uint32_t(Characters.size()), Byte)) {
       if (Characters.empty())
-        OS << " <error: Cannot access memory at address 0x"
-           << utohexstr(Address, true) << '>';
+        OS << ' ', problem(cannotAccess(Address));
       else
         OS << ' ' << quoted(Characters) << "...";
       return;
@@ -230,10 +233,10 @@ void ValuePrinter::Writer::scalar(const Value &Of) {
     OS << int64_t(*Number);
     break;
   case TypeKind::Float:
-    OS << formatReal(Plain.Size == 4
-                         ? double(bit_cast<float>(uint32_t(*Number)))
-                         : bit_cast<double>(*Number),
-                     Plain.Size);
+    if (Expected<double> Real = Of.asReal(Frame))
+      OS << formatReal(*Real, Plain.Size);
+    else
+      problem(Real.takeError());
     break;
   case TypeKind::Enumeration:
     enumeration(Plain, *Number);
@@ -318,6 +321,18 @@ bool ValuePrinter::Writer::characters(const Sequence &Elements) {
   return true;
 }
 
+/// Whether two elements print the same: their bytes tell faster than their
+/// text.
+bool ValuePrinter::Writer::isRepeated(const Sequence &Elements, uint32_t Index,
+                                      uint32_t Next, unsigned Depth) {
+  Expected<SmallVector<uint8_t, 16>> A = Elements.at(Index).bytes(Frame);
+  Expected<SmallVector<uint8_t, 16>> B = Elements.at(Next).bytes(Frame);
+  if (A && B)
+    return *A == *B;
+  consumeError(joinErrors(A.takeError(), B.takeError()));
+  return element(Elements, Index, Depth) == element(Elements, Next, Depth);
+}
+
 std::string ValuePrinter::Writer::element(const Sequence &Elements,
                                           uint32_t Index, unsigned Depth) {
   Writer Inner(Map, Frame, Options);
@@ -334,13 +349,16 @@ void ValuePrinter::Writer::sequence(const Sequence &Elements, unsigned Depth) {
   }
   OS << '{';
   uint32_t Printed = 0, Index = 0;
-  while (Index < Elements.Count && Printed < Options.MaxElements) {
+  // Arrays of arrays may have many elements in all.
+  constexpr size_t MaxText = 1 << 18;
+  while (Index < Elements.Count && Printed < Options.MaxElements &&
+         Text.size() < MaxText) {
     std::string Element = element(Elements, Index, Depth);
     uint32_t Same = 1;
     // Elements of a huge array are not all read to count them.
     constexpr uint32_t MaxRepeats = 100000;
     while (Index + Same < Elements.Count && Same < MaxRepeats &&
-           element(Elements, Index + Same, Depth) == Element)
+           isRepeated(Elements, Index, Index + Same, Depth))
       ++Same;
     bool IsRun = Same >= Options.RepeatThreshold;
     uint32_t Times = IsRun ? 1 : std::min(Same, Options.MaxElements - Printed);

@@ -54,7 +54,7 @@ private:
 };
 
 /// A floating-point number with as many digits as tell it from its neighbours:
-/// of type float for 4 \p Bytes, else double.
+/// of type float for up to 4 \p Bytes, else double.
 std::string formatReal(double Number, unsigned Bytes);
 
 /// A character as `97 'a'` prints it, with the quotes.

@@ -138,12 +138,33 @@ std::optional<VariableInfo> Variables::find(const FrameContext &Frame,
   return findGlobal(Frame, Name);
 }
 
+/// The value that the template of \p Function, or of a class around it, was
+/// given for its parameter \p Name.
+static DWARFDie templateArgument(DWARFDie Function, StringRef Name) {
+  DWARFDie Model =
+      Function.getAttributeValueAsReferencedDie(DW_AT_abstract_origin);
+  SmallVector<DWARFDie, 8> Scopes = {Function};
+  if (Model)
+    Scopes.push_back(Model);
+  for (DWARFDie Scope = originOf(Function);
+       Scope.getTag() != DW_TAG_namespace && Scope.getParent();
+       Scope = Scope.getParent())
+    Scopes.push_back(Scope);
+  for (DWARFDie Scope : Scopes)
+    for (DWARFDie Child : Scope.children())
+      if (Child.getTag() == DW_TAG_template_value_parameter &&
+          baseName(Child) == Name)
+        return Child;
+  return {};
+}
+
 std::optional<VariableInfo> Variables::findLocal(const FrameContext &Frame,
                                                  StringRef Name) const {
   if (Name.contains("::"))
     return std::nullopt;
   unsigned Depth = 0;
-  for (DWARFDie Block : blocksOf(Map, Frame)) {
+  std::vector<DWARFDie> Blocks = blocksOf(Map, Frame);
+  for (DWARFDie Block : Blocks) {
     for (DWARFDie Die : variablesOf(Block))
       if (baseName(Die) == Name) {
         VariableInfo Info = describe(Die);
@@ -152,6 +173,9 @@ std::optional<VariableInfo> Variables::findLocal(const FrameContext &Frame,
       }
     ++Depth;
   }
+  if (!Blocks.empty())
+    if (DWARFDie Argument = templateArgument(Blocks.back(), Name))
+      return describe(Argument);
   return std::nullopt;
 }
 
@@ -180,27 +204,40 @@ std::optional<VariableInfo> Variables::findGlobal(const FrameContext &Frame,
   return describe(Best);
 }
 
+/// The type of a variable in this frame: arrays of variable size have theirs.
+Expected<const Type *> Variables::typeOf(const VariableInfo &Variable,
+                                         const FrameContext &Frame) const {
+  const Type &Plain = Variable.Of->stripped();
+  if (Plain.Kind != TypeKind::Array || Plain.Count || !Plain.Die)
+    return Variable.Of;
+  SmallVector<uint32_t, 2> Counts;
+  for (DWARFDie Child : Plain.Die.children()) {
+    if (Child.getTag() != DW_TAG_subrange_type)
+      continue;
+    Expected<std::optional<int64_t>> Count =
+        Locations.number(Child, DW_AT_count, Frame);
+    if (!Count)
+      return Count.takeError();
+    if (!*Count)
+      return Variable.Of;
+    Counts.push_back(uint32_t(**Count));
+  }
+  const Type *Result = &Types.typeOf(Plain.Die);
+  for (uint32_t Count : reverse(Counts))
+    Result = &Types.arrayOf(*Result, Count);
+  return Result;
+}
+
 Expected<Value> Variables::value(const VariableInfo &Variable,
                                  const FrameContext &Frame) const {
-  const Type *Of = Variable.Of;
-  const Type &Plain = Of->stripped();
-  if (Plain.Kind == TypeKind::Array && !Plain.Count)
-    for (DWARFDie Child : Plain.Die.children()) {
-      if (Child.getTag() != DW_TAG_subrange_type)
-        continue;
-      Expected<std::optional<int64_t>> Count =
-          Locations.number(Child, DW_AT_count, Frame);
-      if (!Count)
-        return Count.takeError();
-      if (const std::optional<int64_t> &Number = *Count)
-        Of = &Types.arrayOf(*Plain.Target, uint32_t(*Number));
-      break;
-    }
+  Expected<const Type *> Of = typeOf(Variable, Frame);
+  if (!Of)
+    return Of.takeError();
   Expected<std::vector<ValuePiece>> Places =
-      Locations.locate(Variable.Die, Of->Size, Frame);
+      Locations.locate(Variable.Die, (*Of)->Size, Frame);
   if (!Places)
     return Places.takeError();
-  return Value::inPieces(*Of, *Places);
+  return Value::inPieces(**Of, *Places);
 }
 
 } // namespace tp

@@ -57,7 +57,7 @@ public:
   /// function, then of its namespaces and classes, then any global.
   std::optional<VariableInfo> find(const FrameContext &Frame,
                                    llvm::StringRef Name) const;
-  /// Only of the blocks and the function.
+  /// Only of the blocks and the function, also what its template was given.
   std::optional<VariableInfo> findLocal(const FrameContext &Frame,
                                         llvm::StringRef Name) const;
   /// Only of those that live as long as the program, the nearest one.
@@ -76,6 +76,8 @@ private:
   const LocationEvaluator &Locations;
 
   VariableInfo describe(llvm::DWARFDie Die) const;
+  llvm::Expected<const Type *> typeOf(const VariableInfo &Variable,
+                                      const FrameContext &Frame) const;
 };
 
 } // namespace tp

@@ -312,12 +312,12 @@ TEST_F(ExpressionTest, SyntaxErrorsHaveAPlace) {
 }
 
 TEST_F(ExpressionTest, DeepNestingIsRefused) {
-  std::string Text(100000, '(');
+  std::string Text(1900, '(');
   at(0, [&](const FrameContext &Frame) {
     EXPECT_EQ(print(Program->information(), Frame, Text),
               "error: The expression is nested too deeply.");
     EXPECT_EQ(
-        print(Program->information(), Frame, std::string(5000, '!') + "1"),
+        print(Program->information(), Frame, std::string(1900, '!') + "1"),
         "error: The expression is nested too deeply.");
   });
 }
