@@ -55,6 +55,12 @@ std::string nameOf(const ProfileFunction &Function) {
   return "(no symbol)";
 }
 
+/// Without the type of the result, which names of templates begin with.
+static std::string withoutResult(StringRef Name) {
+  StringRef Rest = Name.rsplit(' ').second;
+  return (Rest.empty() ? Name : Rest).str();
+}
+
 std::string shortName(StringRef Name) {
   std::string Short;
   unsigned Depth = 0;
@@ -63,7 +69,8 @@ std::string shortName(StringRef Name) {
     if (Depth == 0 && Name.substr(I).starts_with("operator")) {
       StringRef Operator = Name.substr(I);
       size_t Begin = Operator.starts_with("operator()") ? 10 : 8;
-      return Short + Operator.take_front(Operator.find('(', Begin)).str();
+      return withoutResult(Short) +
+             Operator.take_front(Operator.find('(', Begin)).str();
     }
     if (Depth == 0 && Name.substr(I).starts_with("(anonymous namespace)")) {
       I += sizeof("(anonymous namespace)") - 2;
@@ -79,10 +86,7 @@ std::string shortName(StringRef Name) {
     if (Depth == 0 && Name[I] == ')')
       break;
   }
-  // The type of the result, which templates have.
-  return StringRef(Short).rsplit(' ').second.empty()
-             ? Short
-             : StringRef(Short).rsplit(' ').second.str();
+  return withoutResult(Short);
 }
 
 std::string placeOf(const Profile &Data, const ProfileFrame &Frame) {

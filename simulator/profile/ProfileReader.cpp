@@ -16,7 +16,7 @@ using namespace llvm;
 
 namespace tp {
 
-namespace {
+namespace profile_json {
 
 /// Counts that are an object with an attribute for each that is not 0.
 struct NamedLosses {
@@ -26,15 +26,21 @@ struct NamedLevels {
   std::array<ServedAccesses, NumServedBy> Served{};
 };
 
+} // namespace profile_json
+
+namespace {
+
 /// The parts of a file that are no struct of their own.
 struct FileContents {
   int64_t Version = 0;
   Profile Data;
 };
 
+} // namespace
+
 template <class Array, class FindFunction>
-bool mapByName(const json::Value &From, Array &To, FindFunction Find,
-               json::Path Where) {
+static bool mapByName(const json::Value &From, Array &To, FindFunction Find,
+                      json::Path Where) {
   const json::Object *Object = From.getAsObject();
   if (!Object) {
     Where.report("expected object");
@@ -52,31 +58,35 @@ bool mapByName(const json::Value &From, Array &To, FindFunction Find,
   return true;
 }
 
-bool fromJSON(const json::Value &From, NamedLosses &To, json::Path Where) {
-  return mapByName(From, To.Counts, findLoss, Where);
-}
-
-bool fromJSON(const json::Value &From, NamedLevels &To, json::Path Where) {
-  return mapByName(From, To.Served, findLevel, Where);
-}
-
-/// The attributes that \p InstructionsName and `lost` are.
-bool mapCounts(json::ObjectMapper &Map, StringLiteral InstructionsName,
-               ProfileCounts &To) {
-  NamedLosses Lost;
-  if (!Map.map(InstructionsName, To.Instructions) || !Map.map("lost", Lost))
-    return false;
-  copy(Lost.Counts, To.Lost.begin());
-  return true;
-}
-
-} // namespace
-
 static bool fromJSON(const json::Value &From, ServedAccesses &To,
                      json::Path Where) {
   json::ObjectMapper Map(From, Where);
   return Map && Map.map("accesses", To.Accesses) &&
          Map.map("cycles", To.Cycles);
+}
+
+namespace profile_json {
+
+static bool fromJSON(const json::Value &From, NamedLosses &To,
+                     json::Path Where) {
+  return mapByName(From, To.Counts, findLoss, Where);
+}
+
+static bool fromJSON(const json::Value &From, NamedLevels &To,
+                     json::Path Where) {
+  return mapByName(From, To.Served, findLevel, Where);
+}
+
+} // namespace profile_json
+
+/// The attributes that \p InstructionsName and `lost` are.
+static bool mapCounts(json::ObjectMapper &Map, StringLiteral InstructionsName,
+                      ProfileCounts &To) {
+  profile_json::NamedLosses Lost;
+  if (!Map.map(InstructionsName, To.Instructions) || !Map.map("lost", Lost))
+    return false;
+  copy(Lost.Counts, To.Lost.begin());
+  return true;
 }
 
 static bool fromJSON(const json::Value &From, ProfileRun &To,
@@ -115,7 +125,7 @@ static bool fromJSON(const json::Value &From, ProfileInstruction &To,
                      json::Path Where) {
   json::ObjectMapper Map(From, Where);
   std::string Pc;
-  NamedLevels Levels;
+  profile_json::NamedLevels Levels;
   if (!Map || !Map.map("pc", Pc) || !Map.map("text", To.Text) ||
       !Map.map("frame", To.Frame) || !mapCounts(Map, "executed", To.Counts) ||
       !Map.mapOptional("global", To.Memory.Global) ||

@@ -51,11 +51,13 @@ std::optional<ProfileRows> findProfileRows(StringRef Name) {
 std::optional<ProfileOrder> findProfileOrder(StringRef Name) {
   for (const NamedSum &Sum : Sums)
     if (Name == Sum.Name)
-      return ProfileOrder{Sum.Sum, std::nullopt};
-  std::optional<Loss> Reason = findLoss(Name);
-  if (!Reason || *Reason == Loss::Finished)
+      return ProfileOrder{Sum.Sum, std::nullopt, std::nullopt};
+  ProfileOrder Order{ProfileOrder::Cycles, findLoss(Name), std::nullopt};
+  if (!Order.Reason)
+    Order.Level = findLevel(Name);
+  if (Order.Reason == Loss::Finished || (!Order.Reason && !Order.Level))
     return std::nullopt;
-  return ProfileOrder{ProfileOrder::Cycles, Reason};
+  return Order;
 }
 
 std::vector<std::string> profileOrderNames() {
@@ -65,6 +67,9 @@ std::vector<std::string> profileOrderNames() {
   for (unsigned I = 0; I != NumLosses; ++I)
     if (Loss(I) != Loss::Finished)
       Names.push_back(lossName(Loss(I)));
+  for (unsigned I = 0; I != NumServedBy; ++I)
+    if (!is_contained(Names, levelName(ServedBy(I))))
+      Names.push_back(levelName(ServedBy(I)));
   return Names;
 }
 
@@ -75,6 +80,8 @@ static ServedAccesses allServed(const MemoryBehaviour &Memory) {
 static uint64_t keyOf(const ProfileRow &Row, const ProfileOrder &Order) {
   if (Order.Reason)
     return Row.Counts.Lost[unsigned(*Order.Reason)];
+  if (Order.Level)
+    return Row.Memory.Served[unsigned(*Order.Level)].Accesses;
   switch (Order.Sum) {
   case ProfileOrder::Cycles:
     return Row.Counts.cycles();
@@ -142,6 +149,7 @@ std::vector<ProfileRow> profileRows(const Profile &Data, ProfileRows Rows,
           Instruction.Memory);
   }
   std::vector<ProfileRow> Result;
+  Result.reserve(ByName.size());
   for (auto &[Name, Row] : ByName)
     Result.push_back(std::move(Row));
   std::ranges::sort(Result, [&](const ProfileRow &A, const ProfileRow &B) {

@@ -30,12 +30,14 @@ enum class ProfileRows {
   Instruction,
 };
 
-/// What the largest is first of: one loss, or if there is none a sum.
+/// What the largest is first of: one loss, the accesses that one level served,
+/// or if there is neither a sum.
 struct ProfileOrder {
   enum SumKind { Cycles, Instructions, MemoryWaits, Global, Latency };
 
   SumKind Sum = Cycles;
   std::optional<Loss> Reason;
+  std::optional<ServedBy> Level;
 };
 
 /// The rows and orders as options name them.

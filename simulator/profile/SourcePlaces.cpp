@@ -9,6 +9,8 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/MemoryBuffer.h"
 
+#include <cassert>
+
 using namespace llvm;
 
 namespace tp {
@@ -63,6 +65,7 @@ uint32_t SourcePlaces::frameOf(uint32_t Pc) {
           {Function, File, Frame.Line, Frame.Column, Outer});
     Outer = Known->second;
   }
+  assert(Outer && "a chain has a frame");
   return *Outer;
 }
 

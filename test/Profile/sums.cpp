@@ -21,6 +21,10 @@
 // RUN: %python %S/Inputs/check_profile.py %t.dram.json %t.stats.json %t.folded %t.speedscope.json
 // RUN: %python %S/../Simulator/Inputs/check_schema.py %profile_schema %t.dram.json
 // RUN: tpsim --read-profile %t.dram.json | FileCheck %s --check-prefix=ROWS
+// RUN: tpsim --read-profile %t.dram.json --profile-by instruction --profile-sort dram_queue --profile-rows 2 | FileCheck %s --check-prefix=QUEUE
+// QUEUE: in
+// QUEUE-NEXT: lwx
+// QUEUE-NEXT: swx
 // ROWS: row is the percent of those from DRAM whose row was open
 // ROWS: wait access row in
 // ROWS-NEXT: {{[0-9]+}} {{[0-9]+}} sums.cpp:[[#@LINE+33]] mix

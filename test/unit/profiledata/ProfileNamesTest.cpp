@@ -18,7 +18,10 @@ TEST(ProfileNames, ShortNamesHaveNoParameters) {
   EXPECT_EQ(shortName("void tp::f<int>(std::array<int, 3>)"), "tp::f");
   EXPECT_EQ(shortName("tp::A<tp::B<1>>::g() const"), "tp::A::g");
   EXPECT_EQ(shortName("tp::operator*(tp::Vector3, float)"), "tp::operator*");
+  EXPECT_EQ(shortName("void tp::operator<<<int>(A&)"), "tp::operator<<<int>");
   EXPECT_EQ(shortName("A::operator()(int) const"), "A::operator()");
+  EXPECT_EQ(shortName("A::operator unsigned int() const"),
+            "A::operator unsigned int");
   EXPECT_EQ(shortName("A::operator<(A const&)"), "A::operator<");
   EXPECT_EQ(shortName("(anonymous namespace)::f(int)"), "(anonymous)::f");
 }
