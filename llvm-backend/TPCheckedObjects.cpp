@@ -51,13 +51,17 @@ public:
 
 private:
   void watch(AllocaInst &Object);
+  /// Tells when \p Object, which \p Inside replaces, ceases to live. Gives the
+  /// instructions before which it begins to: at least one.
+  SmallVector<Instruction *> takeLifetimes(AllocaInst &Object, Value *Inside);
   /// Gives the padded global and its bytes as an entry of the table.
   Constant *pad(GlobalVariable &Global);
   void padGlobals(Module &M);
-  Constant *describe(const AllocaInst &Object, uint64_t Bytes);
+  /// The CheckedObject of \p Object, which has \p Bytes.
+  Constant *describe(const AllocaInst &Object, const Value *Bytes);
   void tell(IRBuilder<> &Builder, CheckMessage Message, Value *What);
-  void tellOf(Instruction &Before, CheckMessage Message, Constant *Descriptor,
-              Value *Object);
+  void tellBegin(Instruction &Before, Constant *Descriptor, Value *Bytes,
+                 Value *Object);
 };
 
 } // namespace
@@ -71,12 +75,15 @@ ModulePass *llvm::createTPCheckedObjectsPass() {
   return new TPCheckedObjects();
 }
 
+/// Bytes of each of the elements that \p Object holds.
+static uint64_t elementBytes(const AllocaInst &Object) {
+  return Object.getDataLayout().getTypeAllocSize(Object.getAllocatedType());
+}
+
 /// Whether accesses to \p Object can go wrong, and it may be moved.
 static bool isWatched(const AllocaInst &Object) {
-  return Object.isStaticAlloca() && !Object.isUsedWithInAlloca() &&
-         !Object.isSwiftError() && !isAllocaPromotable(&Object) &&
-         Object.getAllocationSize(Object.getDataLayout())
-                 .value_or(TypeSize::getFixed(0)) != TypeSize::getFixed(0);
+  return !Object.isUsedWithInAlloca() && !Object.isSwiftError() &&
+         !isAllocaPromotable(&Object) && elementBytes(Object) != 0;
 }
 
 /// The source's name of \p Object.
@@ -87,17 +94,24 @@ static StringRef nameOf(const AllocaInst &Object) {
   return Object.getName();
 }
 
-Constant *TPCheckedObjects::describe(const AllocaInst &Object, uint64_t Bytes) {
+static Constant *makeConstant(Module &M, Constant *Value) {
+  return new GlobalVariable(M, Value->getType(), /*isConstant=*/true,
+                            GlobalValue::PrivateLinkage, Value);
+}
+
+Constant *TPCheckedObjects::describe(const AllocaInst &Object,
+                                     const Value *Bytes) {
   Module &M = *const_cast<Module *>(Object.getModule());
   LLVMContext &Context = M.getContext();
-  auto constant = [&](Constant *Value) {
-    return new GlobalVariable(M, Value->getType(), /*isConstant=*/true,
-                              GlobalValue::PrivateLinkage, Value);
-  };
   Constant *Name =
-      constant(ConstantDataArray::getString(Context, nameOf(Object)));
-  return constant(ConstantStruct::getAnon(
-      {ConstantInt::get(Type::getInt32Ty(Context), Bytes), Name}));
+      makeConstant(M, ConstantDataArray::getString(Context, nameOf(Object)));
+  const auto *Known = dyn_cast<ConstantInt>(Bytes);
+  return makeConstant(
+      M, ConstantStruct::getAnon(
+             {ConstantInt::get(Bytes->getType(),
+                               Known ? Known->getZExtValue()
+                                     : CheckedObject::VariableBytes),
+              Name}));
 }
 
 void TPCheckedObjects::tell(IRBuilder<> &Builder, CheckMessage Message,
@@ -110,53 +124,63 @@ void TPCheckedObjects::tell(IRBuilder<> &Builder, CheckMessage Message,
   Builder.CreateCall(Code, {Builder.getInt32(uint32_t(Message)), What});
 }
 
-void TPCheckedObjects::tellOf(Instruction &Before, CheckMessage Message,
-                              Constant *Descriptor, Value *Object) {
+void TPCheckedObjects::tellBegin(Instruction &Before, Constant *Descriptor,
+                                 Value *Bytes, Value *Object) {
   IRBuilder<> Builder(&Before);
-  if (Message == CheckMessage::ObjectBegins)
-    tell(Builder, CheckMessage::StackObject, Descriptor);
-  tell(Builder, Message, Object);
+  tell(Builder, CheckMessage::StackObject, Descriptor);
+  if (!isa<Constant>(Bytes))
+    tell(Builder, CheckMessage::ObjectBytes, Bytes);
+  tell(Builder, CheckMessage::ObjectBegins, Object);
 }
 
-void TPCheckedObjects::watch(AllocaInst &Object) {
-  const uint64_t Bytes =
-      Object.getAllocationSize(Object.getDataLayout())->getFixedValue();
-  const Align Alignment =
-      std::max(Object.getAlign(), Align(CheckedObject::PaddingBytes));
-  // The object keeps its alignment behind the padding.
-  const uint64_t Offset = Alignment.value();
-  const uint64_t Whole =
-      Offset + alignTo(Bytes, 8) + CheckedObject::PaddingBytes;
-  Constant *Descriptor = describe(Object, Bytes);
-
-  IRBuilder<> Builder(&Object);
-  AllocaInst *Padded =
-      Builder.CreateAlloca(ArrayType::get(Builder.getInt8Ty(), Whole), nullptr,
-                           Object.getName() + ".padded");
-  Padded->setAlignment(Alignment);
-  auto *Inside = cast<Instruction>(Builder.CreateConstInBoundsGEP1_64(
-      Builder.getInt8Ty(), Padded, Offset, Object.getName()));
-
+SmallVector<Instruction *> TPCheckedObjects::takeLifetimes(AllocaInst &Object,
+                                                           Value *Inside) {
   SmallVector<IntrinsicInst *> Lifetimes;
   for (User *U : Object.users())
     if (auto *Call = dyn_cast<IntrinsicInst>(U);
         Call && Call->isLifetimeStartOrEnd())
       Lifetimes.push_back(Call);
-  bool HasBeginning = false;
+  SmallVector<Instruction *> Beginnings;
   for (IntrinsicInst *Call : Lifetimes) {
-    bool Begins = Call->getIntrinsicID() == Intrinsic::lifetime_start;
-    HasBeginning |= Begins;
-    tellOf(*Call,
-           Begins ? CheckMessage::ObjectBegins : CheckMessage::ObjectEnds,
-           Descriptor, Inside);
+    if (Call->getIntrinsicID() == Intrinsic::lifetime_start) {
+      Beginnings.push_back(Call->getNextNode());
+    } else {
+      IRBuilder<> Builder(Call);
+      tell(Builder, CheckMessage::ObjectEnds, Inside);
+    }
     Call->eraseFromParent();
   }
-  if (!HasBeginning) {
-    BasicBlock::iterator At = std::next(Object.getIterator());
-    while (isa<AllocaInst>(At))
-      ++At;
-    tellOf(*At, CheckMessage::ObjectBegins, Descriptor, Inside);
-  }
+  if (!Beginnings.empty())
+    return Beginnings;
+  BasicBlock::iterator At = std::next(Object.getIterator());
+  while (isa<AllocaInst>(At))
+    ++At;
+  return {&*At};
+}
+
+void TPCheckedObjects::watch(AllocaInst &Object) {
+  const Align Alignment =
+      std::max(Object.getAlign(), Align(CheckedObject::PaddingBytes));
+  // The object keeps its alignment behind the padding.
+  const uint64_t Offset = Alignment.value();
+
+  IRBuilder<> Builder(&Object);
+  Value *Bytes = Builder.CreateMul(
+      Builder.CreateZExtOrTrunc(Object.getArraySize(), Builder.getInt32Ty()),
+      Builder.getInt32(elementBytes(Object)));
+  Value *Granules = Builder.CreateAnd(
+      Builder.CreateAdd(Bytes, Builder.getInt32(7)), Builder.getInt32(~7u));
+  Value *Whole = Builder.CreateAdd(
+      Granules, Builder.getInt32(Offset + CheckedObject::PaddingBytes));
+  AllocaInst *Padded = Builder.CreateAlloca(Builder.getInt8Ty(), Whole,
+                                            Object.getName() + ".padded");
+  Padded->setAlignment(Alignment);
+  auto *Inside = cast<Instruction>(Builder.CreateConstInBoundsGEP1_64(
+      Builder.getInt8Ty(), Padded, Offset, Object.getName()));
+
+  Constant *Descriptor = describe(Object, Bytes);
+  for (Instruction *Beginning : takeLifetimes(Object, Inside))
+    tellBegin(*Beginning, Descriptor, Bytes, Inside);
   DIBuilder Information(*Object.getModule(), /*AllowUnresolved=*/false);
   replaceDbgDeclare(&Object, Padded, Information, DIExpression::ApplyOffset,
                     int(Offset));

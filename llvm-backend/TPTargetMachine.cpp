@@ -148,8 +148,8 @@ public:
   void addIRPasses() override {
     addPass(createTPBuiltinAttributesPass());
     addPass(createTPStrictHalfFloatsPass());
-    addPass(createTPPointedVariablesPass());
     addPass(createTPCheckedObjectsPass());
+    addPass(createTPPointedVariablesPass());
     addPass(createTPAtomicTagsPass());
     addPass(createAtomicExpandLegacyPass());
     addPass(createTPAtomicLoopsPass());

@@ -74,12 +74,12 @@ ErrorOr<LaunchBlock> setUpLaunch(const Scene &Source,
   LaunchBlock Launch{};
   Launch.Version = kLaunchBlockVersion;
   Launch.Scene = Memory.allocate(Block.size(), kSceneAlignment);
-  auto allocate = [&](size_t Bytes) {
+  auto Allocate = [&](size_t Bytes) {
     return Memory.allocate(Bytes + Padding, sizeof(uint32_t));
   };
-  Launch.Framebuffer = allocate(PixelBytes);
-  Launch.RayCounts = allocate(ThreadCount * sizeof(uint32_t));
-  Launch.WorkCounter = allocate(sizeof(uint32_t));
+  Launch.Framebuffer = Allocate(PixelBytes);
+  Launch.RayCounts = Allocate(ThreadCount * sizeof(uint32_t));
+  Launch.WorkCounter = Allocate(sizeof(uint32_t));
   if (!Launch.Scene || !Launch.Framebuffer || !Launch.RayCounts ||
       !Launch.WorkCounter)
     return Error{"the scene (" + std::to_string(Block.size()) +

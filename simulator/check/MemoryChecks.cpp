@@ -48,7 +48,7 @@ void MemoryChecks::start(const AddressSpace &RunSpace, const ChipConfig &Chip,
 }
 
 void MemoryChecks::padGlobals() {
-  auto pad = [](ShadowMemory &Memory, const CheckedGlobal &Known) {
+  auto Pad = [](ShadowMemory &Memory, const CheckedGlobal &Known) {
     Memory.setAccess(Known.Address, Known.Bytes, Access::All);
     Memory.setAccess(toGranules(Known.Address + Known.Bytes),
                      CheckedObject::PaddingBytes, Access::GlobalPadding);
@@ -56,9 +56,9 @@ void MemoryChecks::padGlobals() {
   for (const CheckedGlobal &Known : Program.Globals) {
     if (isLocalObject(Known.Address, Known.Bytes)) {
       for (ThreadShadow &Shadow : Shadows)
-        pad(*Shadow.Local, Known);
+        Pad(*Shadow.Local, Known);
     } else if (isBlock(Known.Address, Known.Bytes)) {
-      pad(*Global, Known);
+      Pad(*Global, Known);
     }
   }
 }
@@ -226,12 +226,12 @@ void MemoryChecks::stackMoved(FunctionalThread &T, uint32_t) {
   ThreadShadow &Shadow = shadowOf(T);
   const uint32_t Now = T.Registers[StackPointerRegister];
   const uint32_t Before = std::exchange(Shadow.StackPointer, Now);
-  auto isInStore = [this](uint32_t At) {
+  auto IsInStore = [this](uint32_t At) {
     return At - Space.LocalBegin <= Space.LocalBytes;
   };
   if (Before == 0)
     Shadow.StackTop = Now;
-  if (Before == 0 || !isInStore(Now) || !isInStore(Before))
+  if (Before == 0 || !IsInStore(Now) || !IsInStore(Before))
     return;
   if (Now < Before)
     Shadow.Local->setUndefined(Now, Before - Now);
@@ -375,6 +375,9 @@ void MemoryChecks::message(FunctionalThread &T, uint32_t Pc, uint32_t Marker,
   case CheckMessage::StackObject:
     shadowOf(T).ObjectDescriptor = Value;
     return;
+  case CheckMessage::ObjectBytes:
+    shadowOf(T).ObjectBytes = Value;
+    return;
   case CheckMessage::ObjectBegins:
     return objectBegins(T, Pc, Value);
   case CheckMessage::ObjectEnds:
@@ -483,6 +486,8 @@ void MemoryChecks::objectBegins(FunctionalThread &T, uint32_t Pc,
   if (!hasGlobal(Shadow.ObjectDescriptor, sizeof(Object)))
     return;
   std::memcpy(&Object, Space.Global + Shadow.ObjectDescriptor, sizeof(Object));
+  if (Object.Bytes == CheckedObject::VariableBytes)
+    Object.Bytes = Shadow.ObjectBytes;
   const uint32_t Before = Address - CheckedObject::PaddingBytes;
   if (!isLocalObject(Before, CheckedObject::PaddingBytes) ||
       !isLocalObject(Address, Object.Bytes))

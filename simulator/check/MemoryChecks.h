@@ -44,7 +44,7 @@ struct MemoryCheckOptions {
 /// The checks memory, init and stack.
 class MemoryChecks : public ExecutionChecks {
 public:
-  /// Undefined bits of what the instruction loads and stores, and where they
+  /// Undefined BitsOf of what the instruction loads and stores, and where they
   /// come from.
   struct Step {
     UndefinedBits Loaded = 0;
@@ -132,7 +132,7 @@ private:
   void nameBlock(const HeapBlock &Block, uint32_t Address, Report &R) const;
 
   [[gnu::noinline]] void loadUndefined(Step &S, const CheckedAccess &A);
-  /// The instruction depends on undefined bits of its source \p Operand.
+  /// The instruction depends on undefined BitsOf of its source \p Operand.
   [[gnu::noinline]] void reportUndefined(FunctionalThread &T, uint32_t Pc,
                                          const char *Kind, const char *Title,
                                          uint8_t Register);
@@ -189,7 +189,7 @@ private:
   std::string Error;
 };
 
-/// Whether an instruction's sources have undefined bits.
+/// Whether an instruction's sources have undefined BitsOf.
 template <class BodyType>
 [[gnu::always_inline]] inline UndefinedBits
 undefinedSources(const ThreadShadow &Shadow, const Instruction &Decoded) {
@@ -276,12 +276,12 @@ void MemoryChecks::conditionUndefined(FunctionalThread &T, uint32_t Pc,
                                       const Instruction &Decoded,
                                       const BodyType &Run) {
   const ThreadShadow &Shadow = shadowOf(T);
-  auto bits = [&](unsigned I) { return Shadow.Undefined[Decoded.Source[I]]; };
-  if (!isConditionUndefined<Op>(Run, bits(0), bits(1)))
+  auto BitsOf = [&](unsigned I) { return Shadow.Undefined[Decoded.Source[I]]; };
+  if (!isConditionUndefined<Op>(Run, BitsOf(0), BitsOf(1)))
     return;
   reportUndefined(T, Pc, "undefined-branch",
                   "a branch depends on an undefined value",
-                  Decoded.Source[bits(0) != 0 ? 0 : 1]);
+                  Decoded.Source[BitsOf(0) != 0 ? 0 : 1]);
 }
 
 template <Opcode Op, class BodyType>

@@ -137,8 +137,8 @@ json::Value Reports::json(const Report &R) {
       Stack.push_back(json::Object{{"pc", Pc}, {"frames", std::move(Places)}});
     }
     json::Object Entry{{"what", Side.What}, {"stack", std::move(Stack)}};
-    if (Side.Thread)
-      Entry["thread"] = *Side.Thread;
+    if (const std::optional<uint32_t> Thread = Side.Thread)
+      Entry["thread"] = *Thread;
     Sides.push_back(std::move(Entry));
   }
   json::Object Entry{{"check", R.Check},

@@ -46,6 +46,8 @@ struct ThreadShadow {
   std::vector<uint32_t> Requests;
   /// The descriptor of the next message about an object of the stack.
   uint32_t ObjectDescriptor = 0;
+  /// The bytes of that object, if the descriptor does not say it.
+  uint32_t ObjectBytes = 0;
   /// Those that the program has told of, by address.
   std::map<uint32_t, StackObject> Objects;
 

@@ -273,6 +273,7 @@ Statistics FunctionalMachine::Implementation::statistics() const {
 std::vector<ArchitecturalState>
 FunctionalMachine::Implementation::threads() const {
   std::vector<ArchitecturalState> States;
+  States.reserve(Threads.size());
   LocalStoreRange Local(Chip.LocalStoreBytes);
   for (const FunctionalThread &T : Threads)
     States.push_back(

@@ -71,9 +71,8 @@ public:
   void setStepObserver(uint32_t Thread, StepObserver Function);
 
   /// Runs until all threads have halted, one trapped, or a limit is reached
-  /// (Paused: the marker, a number of
-  /// instructions, or the observer). A trap's cycle is the number of
-  /// instructions that the thread had issued.
+  /// (Paused: the marker, a number of instructions, or the observer). A trap's
+  /// cycle is the number of instructions that the thread had issued.
   RunResult run(const FunctionalLimits &Limits = {});
 
   /// Instructions by opcode, by word of the text and by thread, and markers: no

@@ -27,7 +27,7 @@ enum class StackChange : uint8_t {
 template <class Checks>
 FunctionalHandler functionalHandler(Opcode Op, StackChange Change,
                                     Subnormals Mode) {
-  auto choose = [&]<class Handlers>(Handlers) {
+  auto Choose = [&]<class Handlers>(Handlers) {
     switch (Change) {
     case StackChange::None:
       return Handlers::of(Op);
@@ -40,11 +40,11 @@ FunctionalHandler functionalHandler(Opcode Op, StackChange Change,
   };
   switch (Mode) {
   case Subnormals::Keep:
-    return choose(FunctionalHandlers<Subnormals::Keep, Checks>());
+    return Choose(FunctionalHandlers<Subnormals::Keep, Checks>());
   case Subnormals::Flush:
-    return choose(FunctionalHandlers<Subnormals::Flush, Checks>());
+    return Choose(FunctionalHandlers<Subnormals::Flush, Checks>());
   case Subnormals::Trap:
-    return choose(FunctionalHandlers<Subnormals::Trap, Checks>());
+    return Choose(FunctionalHandlers<Subnormals::Trap, Checks>());
   }
   __builtin_unreachable();
 }

@@ -85,14 +85,14 @@ CheckTask::start(const Options &Request, const ChipConfig &Chip,
   Task->Checks = std::make_unique<Implementation>(Request, Chip, Loaded,
                                                   std::move(Suppressed));
   Implementation &Checks = *Task->Checks;
-  auto isWanted = [&](StringRef Name) {
+  auto IsWanted = [&](StringRef Name) {
     return is_contained(Request.Checkers, Name);
   };
-  MemoryCheckOptions Wanted{isWanted("memory"), isWanted("init"),
-                            isWanted("stack")};
+  MemoryCheckOptions Wanted{IsWanted("memory"), IsWanted("init"),
+                            IsWanted("stack")};
   if (Wanted.Memory || Wanted.Init || Wanted.Stack)
     Checks.OfMemory = std::make_unique<MemoryChecks>(Wanted, Checks.Program);
-  if (isWanted("race"))
+  if (IsWanted("race"))
     Checks.OfRaces = std::make_unique<RaceChecks>(Checks.Program, Chip);
   Checks.prepareHeap();
   ExecutionChecks *All = Checks.OfMemory.get();

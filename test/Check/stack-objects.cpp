@@ -13,6 +13,10 @@
 // RUN:   | FileCheck %s --check-prefix=SCOPE
 // RUN: not tpsim --chip 1x1 --quiet --check=init %t.2.elf -- unwritten 2>&1 \
 // RUN:   | FileCheck %s --check-prefix=UNWRITTEN
+// RUN: not tpsim --chip 1x1 --quiet --check=memory %t.0.elf -- variable 2>&1 \
+// RUN:   | FileCheck %s --check-prefix=VARIABLE
+// RUN: not tpsim --chip 1x1 --quiet --check=memory %t.2.elf -- variable 2>&1 \
+// RUN:   | FileCheck %s --check-prefix=VARIABLE
 // RUN: tpsim --chip 1x1 --quiet --check=all %t.0.elf 2>&1 | count 0
 // RUN: tpsim --chip 1x1 --quiet --check=all %t.2.elf 2>&1 | count 0
 
@@ -37,7 +41,7 @@ int main(int ArgumentCount, char **Arguments) {
   if (!strcmp(Fault, "behind"))
     // BEHIND: error: stack-out-of-bounds: load of 4 bytes at 0x
     // BEHIND-NEXT: right behind the stack object 'values' of 40 bytes
-    // BEHIND: in get(int const*, int) at {{.*}}stack-objects.cpp:22:
+    // BEHIND: in get(int const*, int) at {{.*}}stack-objects.cpp:26:
     // BEHIND: in main at {{.*}}stack-objects.cpp:[[@LINE+3]]:
     // BEHIND: the object began to live by thread 0
     // BEHIND: in main at
@@ -55,6 +59,16 @@ int main(int ArgumentCount, char **Arguments) {
     // SCOPE: error: stack-use-after-scope: load of 4 bytes
     // SCOPE-NEXT: 8 bytes into the stack object 'inner' of 16 bytes
     Sink = get(Kept, 2);
+  for (int Count = ArgumentCount; Count != ArgumentCount + 4; ++Count) {
+    int variable[Count];
+    fill(variable, Count);
+    Sink = get(variable, Count - 1);
+    if (Count == 5 && !strcmp(Fault, "variable"))
+      // VARIABLE: error: stack-out-of-bounds: load of 4 bytes
+      // VARIABLE-NEXT: right behind the stack object 'variable' of 20 bytes
+      // VARIABLE: in main at {{.*}}stack-objects.cpp:[[@LINE+1]]:
+      Sink = get(variable, 5);
+  }
   // UNWRITTEN: error: undefined-branch: a branch depends on an undefined value
   // UNWRITTEN-NEXT: 36 bytes into the stack object 'values' of 40 bytes
   // UNWRITTEN: in main at {{.*}}stack-objects.cpp:[[@LINE+3]]:

@@ -62,6 +62,8 @@ enum class CheckMessage : uint32_t {
   /// The next message is about the object of the stack that the CheckedObject
   /// at this address describes.
   StackObject = 0xFF05,
+  /// Its bytes, if the CheckedObject does not say it. Comes between the two.
+  ObjectBytes = 0xFF08,
   /// It begins to live at this address.
   ObjectBegins = 0xFF06,
   /// It ceases to live at this address.
@@ -70,12 +72,14 @@ enum class CheckMessage : uint32_t {
 
 /// An object of the stack. The bytes before and behind it are nobody's.
 struct CheckedObject {
+  /// VariableBytes if each message says it.
   uint32_t Bytes;
   /// Address of its name, zero-terminated.
   uint32_t Name;
 
   /// The object behind the padding begins at a multiple of 8.
   static constexpr uint32_t PaddingBytes = 16;
+  static constexpr uint32_t VariableBytes = 0xFFFFFFFF;
 };
 
 /// Its callers are where the message comes from.

@@ -20,8 +20,11 @@ RaceDetector::RaceDetector(uint32_t ThreadCount, uint64_t MemoryBytes,
 }
 
 void RaceDetector::restart() {
-  Order.emplace(ThreadCount, ClockBytes);
-  Pages.emplace((MemoryBytes + 3) / 4 * sizeof(WordShadow));
+  Order = std::make_unique<HappensBefore>(ThreadCount, ClockBytes);
+  // Not twice at the same time.
+  Pages.reset();
+  Pages =
+      std::make_unique<HostPages>((MemoryBytes + 3) / 4 * sizeof(WordShadow));
   SplitWords.clear();
   FreeSplitWords.clear();
 }

@@ -25,7 +25,7 @@
 
 #include <array>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace tp {
@@ -163,8 +163,8 @@ private:
   const size_t ClockBytes;
   const EpochFormat Format;
   RaceFunction Report;
-  std::optional<HappensBefore> Order;
-  std::optional<HostPages> Pages;
+  std::unique_ptr<HappensBefore> Order;
+  std::unique_ptr<HostPages> Pages;
   std::vector<std::array<WordShadow, 4>> SplitWords;
   std::vector<AccessSite> FreeSplitWords;
   uint64_t Restarts = 0;

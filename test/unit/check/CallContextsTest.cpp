@@ -67,6 +67,18 @@ TEST(ThreadCallStack, LongJumpLeavesManyFunctions) {
   EXPECT_EQ(Contexts.calls(Stack.context()), (Calls{100}));
 }
 
+TEST(ThreadCallStack, CallsThatDoNotReturnDoNotPileUp) {
+  // Assembly that finds out where it is.
+  CallContexts Contexts;
+  ThreadCallStack Stack;
+  for (unsigned I = 0; I != 10; ++I)
+    Stack.called(Contexts, 100, 104, 0x1000);
+  EXPECT_EQ(Contexts.calls(Stack.context()), (Calls{100}));
+  Stack.called(Contexts, 200, 204, 0x0F00);
+  Stack.called(Contexts, 300, 304, 0x1000);
+  EXPECT_EQ(Contexts.calls(Stack.context()), (Calls{300, 100}));
+}
+
 TEST(ThreadCallStack, Recursion) {
   CallContexts Contexts;
   ThreadCallStack Stack;

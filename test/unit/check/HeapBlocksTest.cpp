@@ -12,7 +12,7 @@ using namespace tp;
 
 namespace {
 
-HeapBlock block(uint32_t Begin, uint32_t Bytes) {
+static HeapBlock block(uint32_t Begin, uint32_t Bytes) {
   return {Begin, Bytes, {}, std::nullopt};
 }
 

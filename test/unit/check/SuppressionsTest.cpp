@@ -17,17 +17,17 @@ using tp::Suppressions;
 namespace {
 
 /// What a file with \p Text suppresses.
-Expected<Suppressions> read(StringRef Text) {
+static Expected<Suppressions> read(StringRef Text) {
   int File;
   SmallString<128> Path;
   EXPECT_FALSE(sys::fs::createTemporaryFile("suppressions", "txt", File, Path));
   raw_fd_ostream(File, /*shouldClose=*/true) << Text;
   Expected<Suppressions> Result = Suppressions::read(Path);
-  sys::fs::remove(Path);
+  EXPECT_FALSE(sys::fs::remove(Path));
   return Result;
 }
 
-std::string errorOf(StringRef Text) {
+static std::string errorOf(StringRef Text) {
   Expected<Suppressions> Result = read(Text);
   return Result ? "" : toString(Result.takeError());
 }

@@ -58,7 +58,7 @@ private:
   std::mt19937 Random;
 };
 
-Instruction instruction(uint32_t Immediate, uint32_t Second) {
+static Instruction instruction(uint32_t Immediate, uint32_t Second) {
   Instruction Decoded;
   Decoded.Immediate = int32_t(Immediate);
   Decoded.SecondImmediate = uint8_t(Second);
@@ -69,7 +69,7 @@ Instruction instruction(uint32_t Immediate, uint32_t Second) {
 
 /// Compares with the bits that really differ: none is missing, and if
 /// \p IsExact, none is too many.
-template <Opcode Op> void compare(bool IsExact) {
+template <Opcode Op> static void compare(bool IsExact) {
   for (unsigned Seed = 0; Seed != 3000; ++Seed) {
     RandomOperands Given(Seed);
     for (unsigned I = Body<Op>::NumSources; I != 3; ++I)
@@ -81,15 +81,15 @@ template <Opcode Op> void compare(bool IsExact) {
             : instruction(
                   Given.below(2) ? Given.below(9) - 4 : Given.below(65536), 0);
     NoContext Context;
-    auto resultOf = [&](const Operands &Values) {
+    auto ResultOf = [&](const Operands &Values) {
       Body<Op> Run(Decoded, Values.data());
       Run.run(Context);
       return Run.result();
     };
-    const uint32_t Result = resultOf(Given.Values);
+    const uint32_t Result = ResultOf(Given.Values);
     UndefinedBits Really = 0;
     Given.forEach(
-        [&](const Operands &Now) { Really |= resultOf(Now) ^ Result; });
+        [&](const Operands &Now) { Really |= ResultOf(Now) ^ Result; });
     if ((Given.Bits[0] | Given.Bits[1] | Given.Bits[2]) == 0)
       continue;
     const UndefinedBits Called = undefinedResult<Op>(
@@ -100,7 +100,7 @@ template <Opcode Op> void compare(bool IsExact) {
   }
 }
 
-template <Opcode... Ops> void compareEach(bool IsExact) {
+template <Opcode... Ops> static void compareEach(bool IsExact) {
   (compare<Ops>(IsExact), ...);
 }
 
@@ -137,7 +137,7 @@ struct AtomicContext {
 };
 
 /// The first operand is the word in memory.
-template <Opcode Op> void compareAtomic(bool IsExact) {
+template <Opcode Op> static void compareAtomic(bool IsExact) {
   constexpr bool HasExpected = Op == Opcode::ATOM_CAS;
   for (unsigned Seed = 0; Seed != 3000; ++Seed) {
     RandomOperands Given(Seed);
@@ -145,21 +145,21 @@ template <Opcode Op> void compareAtomic(bool IsExact) {
       Given.Bits[2] = 0;
     else if (Given.below(2))
       Given.Values[2] = Given.Values[0];
-    auto runOn = [&](const Operands &Values) {
+    auto RunOn = [&](const Operands &Values) {
       const uint32_t Registers[3] = {Values[HasExpected ? 2 : 1], Values[1], 0};
       return Body<Op>(instruction(0, 0), Registers);
     };
-    auto wordAfter = [&](const Operands &Values) {
+    auto WordAfter = [&](const Operands &Values) {
       AtomicContext Context{Values[0]};
-      runOn(Values).run(Context);
+      RunOn(Values).run(Context);
       return Context.New;
     };
-    const uint32_t Word = wordAfter(Given.Values);
+    const uint32_t Word = WordAfter(Given.Values);
     UndefinedBits Really = 0;
     Given.forEach(
-        [&](const Operands &Now) { Really |= wordAfter(Now) ^ Word; });
+        [&](const Operands &Now) { Really |= WordAfter(Now) ^ Word; });
     const UndefinedBits Called =
-        undefinedWord<Op>(runOn(Given.Values), Given.Values[0], Given.Bits[0],
+        undefinedWord<Op>(RunOn(Given.Values), Given.Values[0], Given.Bits[0],
                           Given.Bits[1], Given.Bits[2]);
     ASSERT_EQ(Really & ~Called, 0u) << mnemonic(Op) << ", seed " << Seed;
     if (IsExact)
@@ -180,7 +180,8 @@ TEST(UndefinedBits, AtomicOperations) {
   compareAtomic<Opcode::ATOM_CAS>(/*IsExact=*/false);
 }
 
-template <Opcode Op> void compareCondition(bool (*IsTrue)(uint32_t, uint32_t)) {
+template <Opcode Op>
+static void compareCondition(bool (*IsTrue)(uint32_t, uint32_t)) {
   size_t Both = 0;
   for (unsigned Seed = 0; Seed != 3000; ++Seed) {
     RandomOperands Given(Seed);

@@ -12,7 +12,7 @@ using namespace tp;
 
 namespace {
 
-UndefinedOrigin origin(uint32_t Pc, const char *What) {
+static UndefinedOrigin origin(uint32_t Pc, const char *What) {
   return {What, "allocated", {0, Pc, 0}};
 }
 
