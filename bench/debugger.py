@@ -51,13 +51,17 @@ class Debuggee:
         return words, time.monotonic() - start
 
 
-def guilty_line():
+def guilty_place():
     lines = (ROOT / SOURCE).read_text(encoding="utf-8").splitlines()
-    return 1 + next(i for i, line in enumerate(lines) if "// guilty" in line)
+    line = 1 + next(i for i, line in enumerate(lines) if "// guilty" in line)
+    return f"{pathlib.Path(SOURCE).name}:{line}"
 
 
-def show(name, words, seconds):
-    """Prints an answer; gives whether it was too late."""
+def is_late(debuggee, name, *commands):
+    """Whether commands that must find the guilty line take too long."""
+    words, seconds = debuggee.ask(*commands, "info checkpoints")
+    if guilty_place() not in words:
+        sys.exit(f"error: not the guilty line:\n{words}")
     checkpoints = re.search(r"(\d+) checkpoints?, (\d+) bytes", words)
     print(f"{name:40}{seconds:7.2f} s, at most {LIMIT:g}; "
           f"{checkpoints.group(1)} checkpoints, "
@@ -83,18 +87,14 @@ def main():
         print(f"frame: {cycles:,} cycles, simulated in {seconds:.2f} s")
         middle = f"goto {cycles // 2}"
         question = f"who-wrote {NODE}.Reserved[0]"
-        words, taken = debuggee.ask(middle, question, "info checkpoints")
-        is_late = show("who wrote into the node (middle)", words, taken)
-        if f"StrayNode.cpp:{guilty_line()}" not in words:
-            sys.exit(f"error: not the guilty line:\n{words}")
-        words, taken = debuggee.ask("run", question, "info checkpoints")
-        is_late |= show("who wrote into the node (end)", words, taken)
-        words, taken = debuggee.ask(middle, f"watch {NODE}.Reserved[0]",
-                                    "reverse-continue", "info checkpoints")
-        is_late |= show("reverse-continue to the write", words, taken)
-        if f"StrayNode.cpp:{guilty_line()}" not in words:
-            sys.exit(f"error: not the guilty line:\n{words}")
-    if arguments.limits and is_late:
+        late = [
+            is_late(debuggee, "who wrote into the node (middle)", middle,
+                    question),
+            is_late(debuggee, "who wrote into the node (end)", "run",
+                    question),
+            is_late(debuggee, "reverse-continue to the write", middle,
+                    f"watch {NODE}.Reserved[0]", "reverse-continue")]
+    if arguments.limits and any(late):
         sys.exit("error: too late")
 
 

@@ -11,11 +11,9 @@
 namespace tp {
 
 void ReplayOutput::write(int Fd, std::string_view Bytes) {
-  const uint64_t Begin = std::exchange(Written, Written + Bytes.size());
+  Written += Bytes.size();
   if (Written <= Shown)
     return;
-  if (Begin < Shown)
-    Bytes.remove_prefix(Shown - Begin);
   Shown = Written;
   if (Target)
     Target(Fd, Bytes);
