@@ -7,11 +7,10 @@
 #include "simulator/replay/CycleReplay.h"
 #include "simulator/core/Accounting.h"
 #include "simulator/core/ThreadRequests.h"
-#include "simulator/replay/HostBytes.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cstring>
+#include <tuple>
+#include <utility>
 
 namespace tp {
 
@@ -24,62 +23,86 @@ CycleReplay::CycleReplay(const ChipConfig &Chip, const Program &Text,
 // State
 //===----------------------------------------------------------------------===//
 
-ThreadTiming CycleReplay::timing(uint32_t Number) const {
-  const Engine &Machine = Time.engine();
-  const Thread &T = Machine.thread(Number);
-  const ThreadPlace Place = Machine.placeOf(Number);
-  const ThreadRequests *Requests = T.Requests;
-  ThreadTiming Result;
-  Result.Lost = T.Lost;
-  if (Requests)
-    Result.UnansweredStores = Requests->unansweredStores();
+std::vector<RequestUnderWay> CycleReplay::underWay(const Thread &T) const {
+  std::vector<RequestUnderWay> Result;
   for (uint8_t Register = 0; Register != NumRegisters - 1; ++Register) {
     const ReadyWord Ready = T.Ready[Register];
     const bool IsPending = ready::isPending(Ready);
-    const uint64_t Cycle = Machine.epoch() + ready::cycleOf(Ready);
+    const uint64_t Cycle = Time.engine().epoch() + ready::cycleOf(Ready);
     if (!IsPending && Cycle <= Time.cycle())
       continue;
-    RequestUnderWay &Request = Result.UnderWay.emplace_back();
+    RequestUnderWay &Request = Result.emplace_back();
     Request.Register = Register;
     Request.Producer = ready::producerOf(Ready);
     Request.FromGlobalMemory = (Ready & ready::FromGlobalMemory) != 0;
     if (!IsPending)
       Request.ReadyCycle = Cycle;
     Request.IsBeyondL1 =
-        IsPending && Requests && Requests->request(Register).GoneOn;
+        IsPending && T.Requests && T.Requests->request(Register).GoneOn;
   }
-  if (T.State == ThreadState::AtBarrier)
-    Result.Reason = Loss::Barrier;
-  else if (T.State == ThreadState::Halted)
-    Result.Reason = Loss::Finished;
-  if (T.State != ThreadState::Running)
-    return Result;
+  return Result;
+}
 
-  const Awaited Waits = Requests ? Requests->waitsFor() : Awaited::Nothing;
-  if (Waits == Awaited::StoreEntry)
-    Result.Reason = Loss::StoreBuffer;
-  else if (Waits == Awaited::AllStores)
-    Result.Reason = Loss::Sync;
-  else if (Waits == Awaited::Line)
-    Result.Reason = Loss::IcacheMiss;
+/// Why a thread does not issue that waits for something else than data.
+static std::optional<Loss> lossWithoutData(const Thread &T) {
+  if (T.State == ThreadState::AtBarrier)
+    return Loss::Barrier;
+  if (T.State == ThreadState::Halted)
+    return Loss::Finished;
+  switch (T.Requests ? T.Requests->waitsFor() : Awaited::Nothing) {
+  case Awaited::StoreEntry:
+    return Loss::StoreBuffer;
+  case Awaited::AllStores:
+    return Loss::Sync;
+  case Awaited::Line:
+    return Loss::IcacheMiss;
+  default:
+    return std::nullopt;
+  }
+}
+
+/// Of those whose time is not known, which has gone less far.
+static bool isReadyBefore(const RequestUnderWay &A, const RequestUnderWay &B) {
+  const auto Rank = [](const RequestUnderWay &Request) {
+    return std::tuple(!Request.ReadyCycle, Request.IsBeyondL1,
+                      Request.ReadyCycle.value_or(0));
+  };
+  return Rank(A) < Rank(B);
+}
+
+/// Why one that waits for a source does not.
+static Loss lossOf(const RequestUnderWay &Source, bool HasMemorySystem) {
+  if (!Source.FromGlobalMemory)
+    return Loss::Data;
+  if (!HasMemorySystem)
+    return Loss::Memory;
+  return Source.IsBeyondL1 ? Loss::L2 : Loss::L1;
+}
+
+ThreadTiming CycleReplay::timing(uint32_t Number) const {
+  const Thread &T = Time.engine().thread(Number);
+  const ThreadPlace Place = Time.engine().placeOf(Number);
+  ThreadTiming Result;
+  Result.Lost = T.Lost;
+  if (T.Requests)
+    Result.UnansweredStores = T.Requests->unansweredStores();
+  Result.UnderWay = underWay(T);
+  Result.Reason = lossWithoutData(T);
   const uint32_t Word = nextTimedWord(Text, Place.Word);
-  if (Result.Reason || Word >= Text.instructions().size())
+  if (Result.Reason || T.State != ThreadState::Running ||
+      Word >= Text.instructions().size())
     return Result;
-  // The source that is ready last; of those still pending the farthest.
+  const RequestUnderWay *Last = nullptr;
   for (const RequestUnderWay &Request : Result.UnderWay) {
     const auto &Sources = Text.instructions()[Word].Source;
-    if (Request.Register == 0 ||
-        std::ranges::find(Sources, Request.Register) == std::end(Sources))
-      continue;
-    Result.Producer = Request.Producer;
-    if (!Request.FromGlobalMemory)
-      Result.Reason = Loss::Data;
-    else if (!Requests)
-      Result.Reason = Loss::Memory;
-    else if (Request.IsBeyondL1)
-      Result.Reason = Loss::L2;
-    else
-      Result.Reason = Loss::L1;
+    if (Request.Register != 0 &&
+        std::ranges::find(Sources, Request.Register) != std::end(Sources) &&
+        (!Last || isReadyBefore(*Last, Request)))
+      Last = &Request;
+  }
+  if (Last) {
+    Result.Producer = Last->Producer;
+    Result.Reason = lossOf(*Last, T.Requests != nullptr);
   }
   if (!Result.Reason && Place.Cycle > Time.cycle())
     Result.Reason = T.LastLoss;

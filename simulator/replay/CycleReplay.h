@@ -49,6 +49,7 @@ private:
   }
 
   ThreadTiming timing(uint32_t Number) const;
+  std::vector<RequestUnderWay> underWay(const Thread &T) const;
 
   const uint64_t MaxCycles;
   Timeline Time;

@@ -224,6 +224,21 @@ TEST(CycleReplay, AWriteOfTheSameCycleIsNotYetInMemory) {
   EXPECT_EQ(Subject.writer(Local, 4, /*Thread=*/0), First);
 }
 
+TEST(CycleReplay, AThreadWaitsForTheSourceThatIsReadyLast) {
+  Assembly A = bases();
+  A("lw", 4, DataBase, 0)("div", 5, DataBase, DataBase);
+  const uint32_t Sum = A.nextAddress();
+  A("add", 6, 4, 5)("halt", 0);
+  Debuggee Subject(quietChip(1, 1), A, /*HasTiming=*/true);
+  while (Subject->thread(0).Pc != Sum)
+    Subject->goTo({Subject->now().Time + 1, 0});
+  const ReplayThread Thread = Subject->thread(0);
+  ASSERT_TRUE(Thread.Timing);
+  EXPECT_EQ(Thread.Timing->UnderWay.size(), 2u);
+  EXPECT_EQ(Thread.Timing->Reason, Loss::Memory);
+  EXPECT_EQ(Thread.Timing->Producer, Opcode::LW);
+}
+
 TEST(CycleReplay, AStoreThatWaitsForRoomStopsOnce) {
   ChipConfig Chip = quietChip(1, 2);
   Chip.L1.emplace().Bytes = 1024;
