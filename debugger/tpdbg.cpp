@@ -51,6 +51,10 @@ static std::optional<int> runStartup(tp::CommandLine &Commands,
   }
   if (!Request.Batch)
     return std::nullopt;
+  if (Commands.dropUnfinished()) {
+    outs() << "\"end\" of commands is missing\n";
+    HasFailed = true;
+  }
   return HasFailed ? 1 : 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "debugger/cli/Command.h"
 #include "debugger/cli/Shell.h"
+#include "debugger/cli/Views.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Format.h"
@@ -43,8 +44,9 @@ Expected<BreakpointText> splitBreakpoint(Shell &S, StringRef Text) {
     if (Result.Condition.empty())
       return createStringError("Argument required (a condition behind if).");
   }
-  if (size_t At = findWord(Text, "thread"); At != StringRef::npos) {
-    StringRef Name = Text.substr(At + 6).trim();
+  size_t At = findWord(Text, "thread");
+  StringRef Name = At == StringRef::npos ? "" : Text.substr(At + 6).trim();
+  if (!Name.empty()) {
     Text = Text.take_front(At);
     if (Name != "all") {
       Expected<uint32_t> Thread = parseThread(Name, S.Program.chip());
@@ -105,19 +107,19 @@ llvm::Error temporaryCommand(Shell &S, CommandArguments Arguments) {
 /// `-r ADDRESS BYTES`.
 Expected<Breakpoint *> watchRange(Shell &S, StringRef Text, bool Reads,
                                   bool Writes) {
-  auto [AddressText, SizeText] = Text.trim().split(' ');
-  Expected<uint64_t> Address = S.evaluateInteger(AddressText);
+  auto [AddressText, SizeText] = Text.trim().rsplit(' ');
+  if (SizeText.empty())
+    return createStringError("Argument required (-r ADDRESS BYTES).");
+  Expected<uint32_t> Address = S.evaluateAddress(AddressText);
   if (!Address)
     return Address.takeError();
-  if (SizeText.trim().empty())
-    return createStringError("Argument required (-r ADDRESS BYTES).");
-  Expected<uint64_t> Bytes = S.evaluateInteger(SizeText.trim());
+  Expected<uint64_t> Bytes = S.evaluateInteger(SizeText);
   if (!Bytes)
     return Bytes.takeError();
-  if (*Address > UINT32_MAX || *Bytes > UINT32_MAX)
-    return createStringError("Not an address and a number of bytes: " + Text);
-  return S.Program.addWatchpoint(uint32_t(*Address), uint32_t(*Bytes), S.Thread,
-                                 Reads, Writes);
+  if (*Bytes > UINT32_MAX)
+    return createStringError("Not a number of bytes: " + SizeText);
+  return S.Program.addWatchpoint(*Address, uint32_t(*Bytes), S.Thread, Reads,
+                                 Writes);
 }
 
 template <bool Reads, bool Writes>
@@ -176,10 +178,8 @@ llvm::Error forEach(Shell &S, StringRef Text,
     auto [First, Last] = Word.split('-');
     unsigned Begin, End;
     if (First.getAsInteger(10, Begin) ||
-        (!Last.empty() && Last.getAsInteger(10, End)))
+        (Last.empty() ? First : Last).getAsInteger(10, End) || End < Begin)
       return createStringError("bad breakpoint number: '" + Word + "'");
-    if (Last.empty())
-      End = Begin;
     for (unsigned Number = Begin; Number <= End; ++Number) {
       Breakpoint *Found = S.Program.breakpoints().find(Number);
       if (!Found)
@@ -192,16 +192,8 @@ llvm::Error forEach(Shell &S, StringRef Text,
 
 llvm::Error deleteCommand(Shell &S, CommandArguments Arguments) {
   Arguments.Text.consume_front("breakpoints");
-  if (Arguments.Text.consume_front("display")) {
-    StringRef Text = Arguments.Text.trim();
-    unsigned Number = 0;
-    if (!Text.empty() && Text.getAsInteger(10, Number))
-      return createStringError("bad display number: '" + Text + "'");
-    erase_if(S.Displays, [&](const Display &D) {
-      return Text.empty() || D.Number == Number;
-    });
-    return llvm::Error::success();
-  }
+  if (Arguments.Text.consume_front("display"))
+    return undisplay(S, Arguments.Text.trim());
   return forEach(S, Arguments.Text.trim(), [&](Breakpoint &B) {
     S.Program.breakpoints().remove(B.Number);
   });
@@ -209,6 +201,8 @@ llvm::Error deleteCommand(Shell &S, CommandArguments Arguments) {
 
 template <bool IsEnabled>
 llvm::Error enableCommand(Shell &S, CommandArguments Arguments) {
+  if (Arguments.Text.consume_front("display"))
+    return enableDisplays(S, Arguments.Text.trim(), IsEnabled);
   return forEach(S, Arguments.Text,
                  [](Breakpoint &B) { B.Enabled = IsEnabled; });
 }
@@ -265,6 +259,21 @@ llvm::Error ignoreCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
+/// The lines up to `end` follow as commands of their own.
+llvm::Error commandsCommand(Shell &S, CommandArguments Arguments) {
+  if (S.Program.breakpoints().all().empty())
+    return createStringError("No breakpoints specified.");
+  CommandList List;
+  if (Arguments.isEmpty())
+    List.Breakpoints = {S.Program.breakpoints().all().back()->Number};
+  else if (llvm::Error E = forEach(S, Arguments.Text, [&](Breakpoint &B) {
+             List.Breakpoints.push_back(B.Number);
+           }))
+    return E;
+  S.Listing = std::move(List);
+  return llvm::Error::success();
+}
+
 constexpr Command Table[] = {
     {"break", "b br", "[LOCATION] [thread N|TM.TP|all] [if CONDITION]",
      "Stop before a place in the program.\n"
@@ -289,19 +298,30 @@ constexpr Command Table[] = {
      "Stop when an object in memory is read or written.",
      watchCommand<true, true>, false, CompletionOf::Expressions},
     {"delete", "d del", "[NUMBER...]",
-     "Delete breakpoints and watchpoints, or all; delete display: displays.",
+     "Delete breakpoints and watchpoints, or all; \"delete display\": "
+     "displays.",
      deleteCommand},
     {"clear", "cl", "[LOCATION]", "Delete the breakpoints at a location.",
      clearCommand, false, CompletionOf::Locations},
-    {"enable", "", "[NUMBER...]", "Enable breakpoints and watchpoints, or all.",
+    {"enable", "", "[display] [NUMBER...]",
+     "Enable breakpoints and watchpoints, or all; or displays.",
      enableCommand<true>},
-    {"disable", "dis", "[NUMBER...]",
-     "Disable breakpoints and watchpoints, or all.", enableCommand<false>},
+    {"disable", "dis", "[display] [NUMBER...]",
+     "Disable breakpoints and watchpoints, or all; or displays.",
+     enableCommand<false>},
     {"condition", "", "NUMBER [CONDITION]",
      "Let a breakpoint stop only if a condition holds, or always.",
      conditionCommand},
     {"ignore", "", "NUMBER COUNT",
-     "Let a breakpoint not stop the next COUNT times.", ignoreCommand}};
+     "Let a breakpoint not stop the next COUNT times.", ignoreCommand},
+    {"commands", "", "[NUMBER...]",
+     "Execute the following lines, up to \"end\", whenever a breakpoint "
+     "stops.\n"
+     "Without NUMBER that of the last one. \"silent\" as the first line leaves "
+     "out where\nthe program stopped; nothing is executed behind a command "
+     "that "
+     "lets it run.",
+     commandsCommand}};
 
 } // namespace
 

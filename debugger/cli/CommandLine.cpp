@@ -13,6 +13,7 @@
 #include "debugger/cli/Shell.h"
 
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/SaveAndRestore.h"
 
 using namespace llvm;
 
@@ -24,8 +25,16 @@ struct CommandLine::Implementation : Shell {
   /// What an empty line executes.
   std::string Repeated;
   unsigned SourceDepth = 0;
+  /// The commands of breakpoints are being executed.
+  bool IsAtStop = false;
 
+  /// Executes \p Line and the commands of the breakpoints at which it stops.
   llvm::Error run(StringRef Line, CommandLine &Commands);
+
+private:
+  void readListed(StringRef Line);
+  llvm::Error runOne(StringRef Line, CommandLine &Commands);
+  llvm::Error runSourced(CommandLine &Commands);
 };
 
 /// Splits `x/4xw $sp` into name and the rest.
@@ -41,8 +50,28 @@ static StringRef takeName(StringRef Line, CommandArguments &Arguments) {
   return Name;
 }
 
-llvm::Error CommandLine::Implementation::run(StringRef Line,
-                                             CommandLine &Commands) {
+void CommandLine::Implementation::readListed(StringRef Line) {
+  bool IsEnd = Line == "end" || Line == "DONE";
+  if (IsEnd && Listing->Depth == 0) {
+    for (unsigned Number : Listing->Breakpoints)
+      if (Breakpoint *Of = Program.breakpoints().find(Number))
+        Of->Commands = Listing->Lines;
+    Listing.reset();
+    return;
+  }
+  if (IsEnd)
+    --Listing->Depth;
+  else if (CommandArguments Arguments; takeName(Line, Arguments) == "commands")
+    ++Listing->Depth;
+  Listing->Lines.push_back(Line.str());
+}
+
+llvm::Error CommandLine::Implementation::runOne(StringRef Line,
+                                                CommandLine &Commands) {
+  if (Listing) {
+    readListed(Line);
+    return llvm::Error::success();
+  }
   Expected<std::string> Translated = fromLldb(Line);
   if (!Translated)
     return Translated.takeError();
@@ -51,19 +80,22 @@ llvm::Error CommandLine::Implementation::run(StringRef Line,
   Expected<const Command *> Found = findCommand(allCommands(), Name, "");
   if (!Found)
     return Found.takeError();
-  Repeated.clear();
-  if ((*Found)->Repeats)
+  if (!IsAtStop)
+    Repeated.clear();
+  if ((*Found)->Repeats && !IsAtStop)
     Repeated = (*Found)->Name == "list" || (*Found)->Name == "x"
                    ? (*Found)->Name.str()
                    : Line.str();
   if (llvm::Error E = (*Found)->Run(*this, Arguments))
     return E;
-  if (Sourced.empty())
-    return llvm::Error::success();
+  return Sourced.empty() ? llvm::Error::success() : runSourced(Commands);
+}
+
+llvm::Error CommandLine::Implementation::runSourced(CommandLine &Commands) {
   constexpr unsigned MostNested = 16;
+  std::string Path = std::exchange(Sourced, "");
   if (SourceDepth == MostNested)
     return createStringError("source files are nested too deeply");
-  std::string Path = std::exchange(Sourced, "");
   ++SourceDepth;
   Expected<std::optional<int>> Quit = runScript(Commands, Path, OS);
   --SourceDepth;
@@ -73,16 +105,42 @@ llvm::Error CommandLine::Implementation::run(StringRef Line,
   return llvm::Error::success();
 }
 
+llvm::Error CommandLine::Implementation::run(StringRef Line,
+                                             CommandLine &Commands) {
+  if (llvm::Error E = runOne(Line, Commands))
+    return E;
+  if (IsAtStop)
+    return llvm::Error::success();
+  SaveAndRestore AtStop(IsAtStop, true);
+  while (Result.Stop && !Result.Stop->Commands.empty() && !Result.Quit) {
+    SessionStop Stop = *std::exchange(Result.Stop, std::nullopt);
+    for (const std::string &Listed : std::exchange(Stop.Commands, {})) {
+      if (Listed == "silent")
+        continue;
+      if (llvm::Error E = runOne(Listed, Commands)) {
+        Result.Stop = std::move(Stop);
+        return E;
+      }
+      if (Result.Stop || Result.Quit)
+        break;
+    }
+    if (!Result.Stop)
+      Result.Stop = std::move(Stop);
+  }
+  return llvm::Error::success();
+}
+
 CommandLine::CommandLine(Session &Session, raw_ostream &OS)
     : Inside(std::make_unique<Implementation>(Session, OS)) {}
 
 CommandLine::~CommandLine() = default;
 
 CommandResult CommandLine::execute(StringRef Line) {
-  Inside->Result = CommandResult();
+  if (Inside->SourceDepth == 0)
+    Inside->Result = CommandResult();
   Line = Line.trim();
   std::string Again;
-  if (Line.empty())
+  if (Line.empty() && !Inside->Listing)
     Line = Again = Inside->Repeated;
   if (Line.empty() || Line.front() == '#')
     return Inside->Result;
@@ -92,6 +150,14 @@ CommandResult CommandLine::execute(StringRef Line) {
   }
   Inside->OS.flush();
   return Inside->Result;
+}
+
+StringRef CommandLine::prompt() const {
+  return Inside->Listing ? ">" : "(tpdbg) ";
+}
+
+bool CommandLine::dropUnfinished() {
+  return std::exchange(Inside->Listing, std::nullopt).has_value();
 }
 
 uint32_t CommandLine::selectedThread() const { return Inside->Thread; }

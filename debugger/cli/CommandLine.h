@@ -39,6 +39,12 @@ public:
   /// repeated.
   CommandResult execute(llvm::StringRef Line);
 
+  /// What asks for the next line.
+  llvm::StringRef prompt() const;
+  /// Forgets a list of commands whose `end` has not come; whether there was
+  /// one.
+  bool dropUnfinished();
+
   /// The thread and frame that commands are about.
   uint32_t selectedThread() const;
   unsigned selectedFrame() const;

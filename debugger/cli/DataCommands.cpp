@@ -12,6 +12,46 @@
 using namespace llvm;
 
 namespace tp {
+
+/// The place in Shell::Displays of the one that \p Text numbers.
+static Expected<std::vector<Display>::iterator> findDisplay(Shell &S,
+                                                            StringRef Text) {
+  Expected<uint64_t> Number = parseCount(Text, 0);
+  if (!Number)
+    return Number.takeError();
+  auto Found = find_if(S.Displays,
+                       [&](const Display &D) { return D.Number == *Number; });
+  if (Found == S.Displays.end())
+    return createStringError("Could not find display number " + Twine(*Number) +
+                             ".");
+  return Found;
+}
+
+llvm::Error undisplay(Shell &S, StringRef Number) {
+  if (Number.empty()) {
+    S.Displays.clear();
+    return llvm::Error::success();
+  }
+  auto Found = findDisplay(S, Number);
+  if (!Found)
+    return Found.takeError();
+  S.Displays.erase(*Found);
+  return llvm::Error::success();
+}
+
+llvm::Error enableDisplays(Shell &S, StringRef Number, bool IsEnabled) {
+  if (Number.empty()) {
+    for (Display &D : S.Displays)
+      D.Enabled = IsEnabled;
+    return llvm::Error::success();
+  }
+  auto Found = findDisplay(S, Number);
+  if (!Found)
+    return Found.takeError();
+  (*Found)->Enabled = IsEnabled;
+  return llvm::Error::success();
+}
+
 namespace {
 
 Expected<char> printFormat(StringRef Letters) {
@@ -127,19 +167,7 @@ llvm::Error displayCommand(Shell &S, CommandArguments Arguments) {
 }
 
 llvm::Error undisplayCommand(Shell &S, CommandArguments Arguments) {
-  if (Arguments.isEmpty()) {
-    S.Displays.clear();
-    return llvm::Error::success();
-  }
-  Expected<uint64_t> Number = parseCount(Arguments.Text, 0);
-  if (!Number)
-    return Number.takeError();
-  size_t Before = S.Displays.size();
-  erase_if(S.Displays, [&](const Display &D) { return D.Number == *Number; });
-  if (S.Displays.size() == Before)
-    return createStringError("Could not find display number " + Twine(*Number) +
-                             ".");
-  return llvm::Error::success();
+  return undisplay(S, Arguments.Text);
 }
 
 llvm::Error examineCommand(Shell &S, CommandArguments Arguments) {

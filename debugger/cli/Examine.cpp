@@ -49,11 +49,6 @@ bool isMemoryFormat(StringRef Format) {
   return Format.find_first_of("0123456789bhwgis") != StringRef::npos;
 }
 
-static llvm::Error cannotAccess(uint32_t Address) {
-  return createStringError("Cannot access memory at address 0x" +
-                           utohexstr(Address, true, 8));
-}
-
 /// Prints the string at \p Address and moves behind it.
 static llvm::Error examineString(Shell &S, uint32_t &Address) {
   std::string Text;
@@ -112,17 +107,18 @@ llvm::Error examine(Shell &S, StringRef Text, StringRef Where) {
   Last.Format = Format.Format;
   Last.Unit = Format.Unit;
   if (!Where.empty()) {
-    Expected<uint64_t> Address = S.evaluateInteger(Where);
+    Expected<uint32_t> Address = S.evaluateAddress(Where);
     if (!Address)
       return Address.takeError();
-    S.Examined = uint32_t(*Address);
+    S.Examined = *Address;
   }
   if (!S.Examined)
     return createStringError("Argument required (starting display address).");
   uint32_t &Address = *S.Examined;
   if (Format.Format == 'i') {
     for (uint64_t I = 0; I != Format.Count; ++I, Address += 4)
-      S.printInstruction(Address);
+      if (llvm::Error E = S.printInstruction(Address))
+        return E;
     return llvm::Error::success();
   }
   if (Format.Format != 's')

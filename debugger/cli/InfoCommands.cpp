@@ -16,6 +16,20 @@ using namespace llvm;
 namespace tp {
 namespace {
 
+/// `0x000100b8 in sum(int) at tree.cpp:44`.
+void printLocation(Shell &S, const CodeLocation &At) {
+  S.OS << format_hex(At.Address, 10);
+  std::optional<uint32_t> Function = At.Function;
+  std::vector<InlinedCall> Calls = S.map().callsAt(At.Address);
+  if (!Function && !Calls.empty())
+    Function = Calls.front().Function;
+  if (Function)
+    S.OS << " in " << S.map().function(*Function).Name;
+  if (At.Position.isKnown())
+    S.OS << " at " << S.info().files().shortName(At.Position);
+  S.OS << '\n';
+}
+
 void printBreakpoint(Shell &S, const Breakpoint &B) {
   StringRef Kind = !B.isWatchpoint() ? "breakpoint"
                    : !B.Reads        ? "watchpoint"
@@ -26,14 +40,7 @@ void printBreakpoint(Shell &S, const Breakpoint &B) {
   if (B.isWatchpoint()) {
     S.OS << B.Text << '\n';
   } else if (B.Locations.size() == 1) {
-    const CodeLocation &At = B.Locations.front();
-    S.OS << format_hex(At.Address, 10);
-    std::vector<InlinedCall> Calls = S.map().callsAt(At.Address);
-    if (!Calls.empty())
-      S.OS << " in " << S.map().function(Calls.front().Function).Name;
-    if (At.Position.isKnown())
-      S.OS << " at " << S.info().files().shortName(At.Position);
-    S.OS << '\n';
+    printLocation(S, B.Locations.front());
   } else {
     S.OS << "<MULTIPLE>\n";
   }
@@ -46,13 +53,12 @@ void printBreakpoint(Shell &S, const Breakpoint &B) {
          << (B.Hits == 1 ? " time\n" : " times\n");
   if (B.Ignore != 0)
     S.OS << "\tignore next " << B.Ignore << " hits\n";
+  for (const std::string &Line : B.Commands)
+    S.OS << "        " << Line << '\n';
   if (B.Locations.size() > 1)
     for (size_t I = 0; I != B.Locations.size(); ++I) {
-      S.OS << left_justify(utostr(B.Number) + "." + utostr(I + 1), 32)
-           << format_hex(B.Locations[I].Address, 10);
-      if (B.Locations[I].Position.isKnown())
-        S.OS << " at " << S.info().files().shortName(B.Locations[I].Position);
-      S.OS << '\n';
+      S.OS << left_justify(utostr(B.Number) + "." + utostr(I + 1), 32);
+      printLocation(S, B.Locations[I]);
     }
 }
 
@@ -93,11 +99,6 @@ llvm::Error infoAllVariables(Shell &S, CommandArguments) {
   printVariables(S, S.info().variables().arguments(S.context()), S.context());
   printVariables(S, S.info().variables().locals(S.context()), S.context());
   return llvm::Error::success();
-}
-
-std::string registerName(unsigned Register) {
-  return (Register < DwarfFirstFloat ? "r" : "f") +
-         utostr(Register % DwarfFirstFloat);
 }
 
 void printRegister(Shell &S, unsigned Register) {
@@ -209,10 +210,10 @@ llvm::Error infoLine(Shell &S, CommandArguments Arguments) {
 }
 
 llvm::Error infoSymbol(Shell &S, CommandArguments Arguments) {
-  Expected<uint64_t> Address = S.evaluateInteger(Arguments.Text);
+  Expected<uint32_t> Address = S.evaluateAddress(Arguments.Text);
   if (!Address)
     return Address.takeError();
-  if (std::optional<std::string> Symbol = S.map().symbolAt(uint32_t(*Address)))
+  if (std::optional<std::string> Symbol = S.map().symbolAt(*Address))
     S.OS << *Symbol << '\n';
   else
     S.OS << "No symbol matches " << Arguments.Text << ".\n";

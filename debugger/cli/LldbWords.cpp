@@ -26,6 +26,7 @@ constexpr Phrase Phrases[] = {{"breakpoint list", "info breakpoints"},
                               {"breakpoint delete", "delete"},
                               {"breakpoint enable", "enable"},
                               {"breakpoint disable", "disable"},
+                              {"breakpoint command add", "commands"},
                               {"watchpoint list", "info watchpoints"},
                               {"watchpoint delete", "delete"},
                               {"watchpoint enable", "enable"},
@@ -121,6 +122,9 @@ Expected<std::string> breakpointSet(StringRef Line) {
     Result += (File ? *File + ":" : std::string()) + *Number;
   else if (Address)
     Result += "*" + *Address;
+  else
+    return createStringError("breakpoint set needs --name, --line or "
+                             "--address");
   if (Thread)
     Result += " thread " + *Thread;
   if (Condition)
@@ -141,8 +145,13 @@ Expected<std::string> memoryRead(StringRef Line) {
                        .Default("");
   if (Unit.empty())
     return createStringError("memory read --size is 1, 2, 4 or 8");
-  return "x/" + Count + Format.substr(0, 1) + Unit.str() + " " +
-         StringRef(Text).trim().str();
+  StringRef Letter = StringSwitch<StringRef>(Format)
+                         .Case("hex", "x")
+                         .Case("binary", "t")
+                         .Case("pointer", "a")
+                         .Case("c-string", "s")
+                         .Default(StringRef(Format).take_front());
+  return ("x/" + Count + Letter + Unit + " " + StringRef(Text).trim()).str();
 }
 
 } // namespace

@@ -37,6 +37,8 @@ Expected<std::optional<int>> runScript(CommandLine &Commands, StringRef Path,
     if (Result.Quit)
       return Result.Quit;
   }
+  if (Commands.dropUnfinished())
+    return createStringError(Path + ": \"end\" of commands is missing");
   return std::nullopt;
 }
 
@@ -52,12 +54,12 @@ completionsFor(CommandLine &Commands, StringRef Line, size_t Cursor) {
 
 static int runOnTerminal(CommandLine &Commands, raw_ostream &OS) {
   LineEditor Editor("tpdbg", LineEditor::getDefaultHistoryPath("tpdbg"));
-  Editor.setPrompt("(tpdbg) ");
   Editor.setListCompleter([&](StringRef Line, size_t Cursor) {
     return completionsFor(Commands, Line, Cursor);
   });
   for (;;) {
     OS.flush();
+    Editor.setPrompt(Commands.prompt().str());
     std::optional<std::string> Line = Editor.readLine();
     if (!Line)
       return 0;

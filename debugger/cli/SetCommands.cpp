@@ -22,15 +22,18 @@ llvm::Error setVariable(Shell &S, CommandArguments Arguments) {
 }
 
 llvm::Error setRegister(Shell &S, CommandArguments Arguments) {
-  std::string Text = Arguments.Text.str();
-  if (!StringRef(Text).starts_with("$"))
-    Text = "$" + Text;
-  return setVariable(S, {"", Text});
+  Arguments.Text.consume_front("$");
+  StringRef Name = Arguments.Text.take_while([](char C) { return isAlnum(C); });
+  StringRef Held = Arguments.Text.drop_front(Name.size()).ltrim();
+  Held.consume_front("=");
+  if (Name.empty() || Held.trim().empty())
+    return createStringError("Argument required (REGISTER = EXPRESSION).");
+  return setVariable(S, {"", ("$" + Name + " = " + Held).str()});
 }
 
 /// `ADDRESS BYTE...`.
 llvm::Error setMemory(Shell &S, CommandArguments Arguments) {
-  Expected<uint64_t> Address = S.evaluateInteger(Arguments.takeWord());
+  Expected<uint32_t> Address = S.evaluateAddress(Arguments.takeWord());
   if (!Address)
     return Address.takeError();
   std::vector<uint8_t> Bytes;
@@ -45,7 +48,7 @@ llvm::Error setMemory(Shell &S, CommandArguments Arguments) {
   }
   if (Bytes.empty())
     return createStringError("Argument required (ADDRESS BYTE...).");
-  if (!S.Program.machine(S.Thread).Write(uint32_t(*Address), Bytes))
+  if (!S.Program.machine(S.Thread).Write(*Address, Bytes))
     return createStringError("Cannot write to memory at address 0x" +
                              utohexstr(*Address, true, 8));
   S.changed();

@@ -17,7 +17,7 @@ using namespace llvm;
 namespace tp {
 
 Shell::Shell(Session &Program, raw_ostream &OS)
-    : Program(Program), OS(OS), Symbols(Program.setup().Elf) {}
+    : Program(Program), OS(OS), Symbols(Program.program()) {}
 
 const Backtrace &Shell::stack() {
   if (!Stack)
@@ -74,6 +74,15 @@ Expected<uint64_t> Shell::evaluateInteger(StringRef Text) {
     if (std::optional<uint32_t> Address = Result->address())
       return *Address;
   return Result->asInteger(frame().Context);
+}
+
+Expected<uint32_t> Shell::evaluateAddress(StringRef Text) {
+  Expected<uint64_t> Number = evaluateInteger(Text);
+  if (!Number)
+    return Number.takeError();
+  if (!isUInt<32>(*Number) && !isInt<32>(int64_t(*Number)))
+    return createStringError("Not an address: 0x" + Twine::utohexstr(*Number));
+  return uint32_t(*Number);
 }
 
 std::string Shell::print(const Value &Of, char Format) {
@@ -149,15 +158,14 @@ void Shell::printPlace(bool WithFrame) {
   printSourceLine(At, !ShowsFrame);
 }
 
-void Shell::printInstruction(uint32_t Pc) {
+llvm::Error Shell::printInstruction(uint32_t Pc) {
   uint8_t Bytes[4];
+  if (!context().read(Pc, Bytes))
+    return cannotAccess(Pc);
   OS << (Pc == stack().Frames.front().Context.Pc ? "=> " : "   ")
-     << map().describeAddress(Pc) << ":\t";
-  if (context().read(Pc, Bytes))
-    OS << Instructions.print(support::endian::read32le(Bytes), Pc);
-  else
-    OS << "Cannot access memory at address " << format_hex(Pc, 10);
-  OS << '\n';
+     << map().describeAddress(Pc) << ":\t"
+     << Instructions.print(support::endian::read32le(Bytes), Pc) << '\n';
+  return llvm::Error::success();
 }
 
 void Shell::printDisplay(const Display &Shown) {

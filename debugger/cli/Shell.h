@@ -30,6 +30,15 @@ struct Display {
   bool Enabled = true;
 };
 
+/// The lines behind `commands` as far as they have been read.
+struct CommandList {
+  /// Whose commands they will be.
+  std::vector<unsigned> Breakpoints;
+  std::vector<std::string> Lines;
+  /// How many lists of further breakpoints are begun in this one.
+  unsigned Depth = 0;
+};
+
 /// The state of the command line, and the ways to print that several commands
 /// use.
 class Shell {
@@ -56,6 +65,8 @@ public:
   Disassembler Instructions;
   /// A file that `source` asks to be executed.
   std::string Sourced;
+  /// While the lines behind `commands` are read.
+  std::optional<CommandList> Listing;
 
   DebugInformation &info() { return Program.information(); }
   const SourceMap &map() { return Program.information().map(); }
@@ -73,6 +84,8 @@ public:
   /// Parses and evaluates in the selected frame.
   llvm::Expected<Value> evaluate(llvm::StringRef Text);
   llvm::Expected<uint64_t> evaluateInteger(llvm::StringRef Text);
+  /// Likewise; the error says if it is none of the machine's addresses.
+  llvm::Expected<uint32_t> evaluateAddress(llvm::StringRef Text);
   std::string print(const Value &Of, char Format = 0);
 
   /// `thread 17 (TM 2, TP 1)`.
@@ -89,7 +102,8 @@ public:
   void printSourceLine(const Frame &Of, bool WithAddress = false);
   /// Where the selected thread is, as after a stop.
   void printPlace(bool WithFrame);
-  void printInstruction(uint32_t Pc);
+  /// The error says that there is no memory.
+  llvm::Error printInstruction(uint32_t Pc);
   void printDisplays();
   void printDisplay(const Display &Shown);
 

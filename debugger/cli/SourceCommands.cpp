@@ -55,6 +55,8 @@ llvm::Error listCommand(Shell &S, CommandArguments Arguments) {
                       S.Listed.Line + S.ListSize);
   }
   if (Arguments.Text == "-") {
+    if (!S.Listed.isKnown())
+      return createStringError("Nothing has been listed yet.");
     uint32_t Shown = S.IsListedBehind ? S.ListSize : S.ListSize / 2;
     uint32_t Begin = S.Listed.Line > Shown ? S.Listed.Line - Shown : 0;
     if (Begin == 0)
@@ -86,14 +88,19 @@ llvm::Error listCommand(Shell &S, CommandArguments Arguments) {
     if (!End)
       return End.takeError();
     Last = End->Line;
+    if (Last < First->Line)
+      return createStringError("Line " + Twine(Last) + " is before line " +
+                               Twine(First->Line) + ".");
   }
   return printLines(S, First->File, First->Line, Last);
 }
 
 /// The lines between which instructions of one range stand.
-void printRange(Shell &S, uint32_t Begin, uint32_t End, bool WithSource) {
+llvm::Error printRange(Shell &S, uint32_t Begin, uint32_t End,
+                       bool WithSource) {
   SourcePosition Last;
-  for (uint32_t Pc = Begin; Pc < End; Pc += 4) {
+  for (uint64_t At = Begin; At < End; At += 4) {
+    auto Pc = uint32_t(At);
     const LineRange *Line = S.map().lineAt(Pc);
     if (WithSource && Line && Line->Position.isKnown() &&
         (Line->Position.File != Last.File ||
@@ -102,8 +109,10 @@ void printRange(Shell &S, uint32_t Begin, uint32_t End, bool WithSource) {
       S.OS << S.info().files().shortName(Last) << ":\t"
            << S.info().files().line(Last).value_or("") << '\n';
     }
-    S.printInstruction(Pc);
+    if (llvm::Error E = S.printInstruction(Pc))
+      return E;
   }
+  return llvm::Error::success();
 }
 
 llvm::Error disassembleCommand(Shell &S, CommandArguments Arguments) {
@@ -115,24 +124,24 @@ llvm::Error disassembleCommand(Shell &S, CommandArguments Arguments) {
   StringRef Text = Arguments.Text.trim();
   auto [First, Second] = Text.split(',');
   if (Text.contains(',')) {
-    Expected<uint64_t> Begin = S.evaluateInteger(First.trim());
+    Expected<uint32_t> Begin = S.evaluateAddress(First.trim());
     if (!Begin)
       return Begin.takeError();
     Second = Second.trim();
     bool IsLength = Second.consume_front("+");
-    Expected<uint64_t> End = S.evaluateInteger(Second);
+    Expected<uint32_t> End = S.evaluateAddress(Second);
     if (!End)
       return End.takeError();
-    printRange(S, uint32_t(*Begin) & ~3u,
-               uint32_t(IsLength ? *Begin + *End : *End), WithSource);
-    return llvm::Error::success();
+    return printRange(S, *Begin & ~3u,
+                      IsLength ? SaturatingAdd(*Begin, *End) : *End,
+                      WithSource);
   }
   uint32_t Pc = S.context().lookupPc();
   if (!Text.empty()) {
-    Expected<uint64_t> Address = S.evaluateInteger(Text);
+    Expected<uint32_t> Address = S.evaluateAddress(Text);
     if (!Address)
       return Address.takeError();
-    Pc = uint32_t(*Address);
+    Pc = *Address;
   }
   std::optional<uint32_t> Function = S.map().functionAt(Pc);
   if (!Function)
@@ -141,7 +150,8 @@ llvm::Error disassembleCommand(Shell &S, CommandArguments Arguments) {
   const FunctionInfo &In = S.map().function(*Function);
   S.OS << "Dump of assembler code for function " << In.Name << ":\n";
   for (const AddressRange &Range : In.Ranges)
-    printRange(S, Range.Begin, Range.End, WithSource);
+    if (llvm::Error E = printRange(S, Range.Begin, Range.End, WithSource))
+      return E;
   S.OS << "End of assembler dump.\n";
   return llvm::Error::success();
 }

@@ -74,7 +74,7 @@ void Shell::reportTrap(const SessionStop &Stop) {
             *Stop.TrapInfo,
             Program.isFunctional() ? TrapClock::Instructions
                                    : TrapClock::Cycles,
-            Program.chip(), Program.setup().Elf, Symbols,
+            Program.chip(), Program.program(), Symbols,
             [&](unsigned Register) { return State.Registers[Register]; })
      << '\n';
   printPlace(true);
@@ -84,6 +84,11 @@ void Shell::report(const SessionStop &Stop) {
   changed();
   Result.Stop = Stop;
   bool IsSwitch = Stop.Thread != Thread;
+  if (!Stop.Commands.empty() && Stop.Commands.front() == "silent") {
+    select(Stop.Thread, Stop.Frame);
+    return;
+  }
+  select(Thread);
   switch (Stop.Kind) {
   case SessionStop::Exited:
     if (Stop.ExitStatus == 0)
@@ -109,13 +114,10 @@ void Shell::report(const SessionStop &Stop) {
     printPlace(true);
     printDisplays();
     return;
-  case SessionStop::ThreadHalted:
-    OS << "The selected thread has halted; select another (info threads).\n";
-    return;
   default:
     break;
   }
-  select(Stop.Thread);
+  select(Stop.Thread, Stop.Frame);
   if (IsSwitch && Stop.Kind == SessionStop::Step)
     OS << "[Switching to " << threadName(Thread) << "]\n";
   switch (Stop.Kind) {
@@ -132,9 +134,11 @@ void Shell::report(const SessionStop &Stop) {
     reportWatchpoint(Stop);
     break;
   case SessionStop::ScopeEnded:
-    OS << "\nWatchpoint " << Stop.Numbers.front()
-       << " deleted because the program has left the block in\nwhich its "
-          "expression is valid.\n";
+    for (unsigned Number : Stop.Numbers)
+      if (is_contained(Stop.Deleted, Number))
+        OS << "\nWatchpoint " << Number
+           << " deleted because the program has left the block in\nwhich its "
+              "expression is valid.\n";
     printPlace(true);
     break;
   case SessionStop::Trapped:

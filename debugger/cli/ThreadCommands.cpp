@@ -125,7 +125,8 @@ void printWrite(Shell &S, const WriteRecord &Write, uint32_t Address,
          << '\n';
     S.Program.replay().goTo(Here);
     S.changed();
-    S.printInstruction(Write.Pc);
+    if (llvm::Error E = S.printInstruction(Write.Pc))
+      S.OS << toString(std::move(E)) << '\n';
     S.printSourceLine(S.frame());
     printStack(S, 20, false);
   });
@@ -156,19 +157,16 @@ llvm::Error whoWroteCommand(Shell &S, CommandArguments Arguments) {
   } else if (Named->registerNumber() || Named->isOptimizedOut()) {
     return createStringError("'" + Text + "' is not in memory here.");
   } else {
-    Expected<uint64_t> Number = Named->asInteger(S.context());
+    Expected<uint32_t> Number = S.evaluateAddress(Text);
     if (!Number)
       return Number.takeError();
-    Address = uint32_t(*Number);
+    Address = *Number;
   }
   uint8_t First;
   if (!S.context().read(Address, First))
-    return createStringError("Cannot access memory at address 0x" +
-                             utohexstr(Address, true, 8));
+    return cannotAccess(Address);
   LastWrite Write = AsLoaded();
-  auto Ask = [&] {
-    Write = S.Program.lastWrite(S.Thread, Address, Bytes);
-  };
+  auto Ask = [&] { Write = S.Program.lastWrite(S.Thread, Address, Bytes); };
   if (Before)
     S.Program.replay().visit({*Before, 0}, Ask);
   else

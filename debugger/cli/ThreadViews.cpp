@@ -53,7 +53,7 @@ void printThreads(Shell &S) {
   }
 }
 
-static std::string registerName(unsigned Register) {
+std::string registerName(unsigned Register) {
   return (Register < DwarfFirstFloat ? "r" : "f") +
          utostr(Register % DwarfFirstFloat);
 }

@@ -24,8 +24,17 @@ void printThreads(Shell &S);
 /// The selected thread's time: cycle, why it waits, what is under way.
 void printTiming(Shell &S);
 
+/// `r4` or `f4` of a register's number in DWARF.
+std::string registerName(unsigned Register);
+
 /// The chip's threads by what they do in this cycle.
 void printChip(Shell &S);
+
+/// Ends the display \p Number, or all if it is empty.
+llvm::Error undisplay(Shell &S, llvm::StringRef Number);
+
+/// Lets it print or not.
+llvm::Error enableDisplays(Shell &S, llvm::StringRef Number, bool IsEnabled);
 
 /// Source lines \p First to \p Last of a file.
 llvm::Error printLines(Shell &S, SourceFileId File, uint32_t First,

@@ -50,7 +50,7 @@ BreakpointRequests::setLines(const SetBreakpointsArguments &Arguments) {
         uint32_t Line = Target.Client.line(Wish.Line);
         tp::Breakpoint New;
         for (const LineStop &Stop : Information.map().stopsAtLine(*File, Line))
-          New.Locations.push_back({Stop.Address, Stop.Position});
+          New.Locations.push_back({Stop.Address, Stop.Position, std::nullopt});
         if (New.Locations.empty())
           return createStringError("there is no code at line " + Twine(Line) +
                                    " or behind it");
@@ -69,7 +69,7 @@ BreakpointRequests::setFunctions(const BreakpointListArguments &Arguments) {
 
 Response
 BreakpointRequests::setInstructions(const BreakpointListArguments &Arguments) {
-  const Segment &Text = Target.Program->setup().Elf.text();
+  const Segment &Text = Target.Program->program().text();
   return replace(
       "instruction", "instruction breakpoint", Arguments.Breakpoints,
       [&](const BreakpointArgument &Wish) -> Expected<tp::Breakpoint *> {

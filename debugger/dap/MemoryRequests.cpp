@@ -107,7 +107,7 @@ Response MemoryRequests::disassemble(const DisassembleArguments &Arguments) {
     return createStringError("the offset is outside of 32 bits");
   int64_t First = int64_t(Reference->Address) + Arguments.Offset;
   First = (First & ~int64_t(3)) + 4 * Arguments.InstructionOffset;
-  DisassemblyView View(Target.Program->setup().Elf,
+  DisassemblyView View(Target.Program->program(),
                        Target.Program->information());
   return json::Object{
       {"instructions", View.show(First, uint32_t(Arguments.InstructionCount))}};

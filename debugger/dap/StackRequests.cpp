@@ -198,7 +198,7 @@ Response StackRequests::loadedSources(const NoArguments &) {
 
 /// A program is linked into one file.
 Response StackRequests::modules(const NoArguments &) {
-  const ElfProgram &Program = Target.Program->setup().Elf;
+  const ElfProgram &Program = Target.Program->program();
   bool HasLines = Target.Program->information().map().hasLines();
   json::Object Module{
       {"id", 1},

@@ -80,8 +80,6 @@ Reason reasonOf(const SessionStop &Stop, Session &Program,
     return {"pause", "--max-cycles is reached"};
   case SessionStop::ConditionFailed:
     return {"breakpoint", "the condition cannot be evaluated"};
-  case SessionStop::ThreadHalted:
-    return {"step", "the thread has halted"};
   }
   llvm_unreachable("unknown kind of stop");
 }

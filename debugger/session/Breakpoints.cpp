@@ -25,6 +25,14 @@ bool BreakpointTable::remove(unsigned Number) {
   return All.size() != Before;
 }
 
+void BreakpointTable::forgetRun() {
+  erase_if(All, [](const std::unique_ptr<Breakpoint> &B) {
+    return B->isWatchpoint() && B->Watched->ScopeCfa;
+  });
+  for (std::unique_ptr<Breakpoint> &B : All)
+    B->Hits = 0;
+}
+
 Breakpoint *BreakpointTable::find(unsigned Number) {
   for (std::unique_ptr<Breakpoint> &B : All)
     if (B->Number == Number)

@@ -60,6 +60,8 @@ struct Breakpoint {
   /// If set, called at each hit that would stop, with the thread that did, the
   /// program being there: false lets it go on.
   std::function<bool(uint32_t Thread)> ShouldStop;
+  /// What the command line executes after it has stopped.
+  std::vector<std::string> Commands;
 
   bool isWatchpoint() const { return Watched.has_value(); }
 };
@@ -72,6 +74,9 @@ public:
   /// False if there is none.
   bool remove(unsigned Number);
   void clear() { All.clear(); }
+  /// The program begins anew: no hits, and no watchpoints on variables of a
+  /// function that ran.
+  void forgetRun();
   Breakpoint *find(unsigned Number);
   std::vector<std::unique_ptr<Breakpoint>> &all() { return All; }
   llvm::ArrayRef<std::unique_ptr<Breakpoint>> all() const { return All; }

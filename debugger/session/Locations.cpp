@@ -34,7 +34,8 @@ public:
         Files = {{Defaults.Position.File}};
       if (Text == Rest && !Defaults.Position.isKnown())
         return createStringError(
-            "No symbol table is loaded.  Use the \"file\" command.");
+            "No default source file; say FILE:LINE of a file that was "
+            "compiled with -g.");
       return atLine(*Files, *Line);
     }
     if (Rest.empty() || Rest.front() == '+' || Rest.front() == '-' ||
@@ -79,7 +80,16 @@ private:
 
   CodeLocation at(uint32_t Address) const {
     const LineRange *Line = Map.lineAt(Address);
-    return {Address, Line ? Line->Position : SourcePosition()};
+    return {Address, Line ? Line->Position : SourcePosition(), std::nullopt};
+  }
+
+  CodeLocation atBody(uint32_t Function) const {
+    CodeLocation Result = at(Map.function(Function).Body);
+    Result.Function = Function;
+    for (const InlinedCall &Call : Map.callsAt(Result.Address))
+      if (Call.Function == Function && Call.Position.isKnown())
+        Result.Position = Call.Position;
+    return Result;
   }
 
   Expected<std::vector<CodeLocation>> here() {
@@ -108,7 +118,7 @@ private:
     if (!Address)
       return Address.takeError();
     if (*Address > UINT32_MAX || *Address % 4 != 0)
-      return createStringError("Not the address of an instruction: " +
+      return createStringError("Not the address of an instruction: 0x" +
                                Twine::utohexstr(*Address));
     return std::vector{at(uint32_t(*Address))};
   }
@@ -155,7 +165,7 @@ private:
     std::vector<CodeLocation> Result;
     for (SourceFileId File : *Files)
       for (const LineStop &Stop : Map.stopsAtLine(File, Line))
-        Result.push_back({Stop.Address, Stop.Position});
+        Result.push_back({Stop.Address, Stop.Position, std::nullopt});
     if (Result.empty())
       return createStringError("No line " + Twine(Line) + " in file \"" +
                                Information.files().name(Files->front()) +
@@ -188,7 +198,7 @@ private:
       return Found.takeError();
     std::vector<CodeLocation> Result;
     for (uint32_t F : *Found)
-      Result.push_back(at(Map.function(F).Body));
+      Result.push_back(atBody(F));
     return unique(std::move(Result));
   }
 

@@ -22,6 +22,9 @@ struct CodeLocation {
   uint32_t Address = 0;
   /// The line that it belongs to; unknown without debug information.
   SourcePosition Position;
+  /// Index for SourceMap::function() of the function that was named. Another
+  /// one that is inlined at its beginning may begin here too.
+  std::optional<uint32_t> Function;
 };
 
 /// What a location may leave out.

@@ -40,11 +40,12 @@ Session::create(const SessionOptions &Request, StringRef ChipFolder) {
 }
 
 llvm::Error Session::start() {
-  Machine.reset();
   Expected<std::unique_ptr<RunSetup>> Setup = setUp(Request.Run, Chip);
   if (!Setup)
     return Setup.takeError();
-  Loaded = std::move(*Setup);
+  if ((*Setup)->Elf.object().getData() != Elf->object().getData())
+    return createStringError(Elf->path() +
+                             ": the file has changed; start tpdbg again");
   ReplayOptions Wanted;
   Wanted.CheckpointBytes = Request.CheckpointBytes;
   Wanted.MaxCycles = Request.Run.MaxCycles;
@@ -55,19 +56,22 @@ llvm::Error Session::start() {
   };
   std::string Problem;
   auto Make = isFunctional() ? makeFunctionalReplay : makeCycleReplay;
-  Machine =
-      Make(Chip, Loaded->Text, Loaded->Global, std::move(Wanted), Problem);
-  if (!Machine)
+  std::unique_ptr<Replay> New =
+      Make(Chip, (*Setup)->Text, (*Setup)->Global, std::move(Wanted), Problem);
+  if (!New)
     return createStringError(Problem);
+  Machine = std::move(New);
+  Loaded = std::move(*Setup);
   Machine->setStopFlag(&StopRequested);
   Machine->setProgress(Progress);
   return llvm::Error::success();
 }
 
 llvm::Error Session::restart() {
-  for (std::unique_ptr<Breakpoint> &B : Table.all())
-    B->Hits = 0;
-  return start();
+  if (llvm::Error E = start())
+    return E;
+  Table.forgetRun();
+  return llvm::Error::success();
 }
 
 bool Session::isStarted() const { return Machine->now() != Moment(); }
@@ -121,6 +125,11 @@ Session::addBreakpoint(StringRef Text, const LocationDefaults &Defaults) {
       findLocations(Text, *Information, Defaults);
   if (!Found)
     return Found.takeError();
+  const Segment &Code = Elf->text();
+  for (const CodeLocation &At : *Found)
+    if (At.Address < Code.Address || At.Address >= Code.end())
+      return createStringError("Not the address of an instruction: 0x" +
+                               Twine::utohexstr(At.Address));
   Breakpoint New;
   New.Text = Text.str();
   New.Locations = std::move(*Found);
@@ -128,7 +137,7 @@ Session::addBreakpoint(StringRef Text, const LocationDefaults &Defaults) {
 }
 
 /// The frame of the stack that \p Address is in, if it is in one.
-static const Frame *frameOf(uint32_t Address, const Backtrace &Stack) {
+static const Frame *frameHolding(uint32_t Address, const Backtrace &Stack) {
   const FrameContext &Innermost = Stack.Frames.front().Context;
   if (Address < Innermost.Registers.Values[StackPointerRegister])
     return nullptr;
@@ -159,6 +168,10 @@ Expected<Breakpoint *> Session::addWatchpoint(StringRef Text, uint32_t Thread,
   if (Watched->isOptimizedOut())
     return createStringError("Cannot watch '" + Text +
                              "': it is optimized out here");
+  if (Watched->isBitField())
+    return createStringError("Cannot watch '" + Text +
+                             "': it is a bit-field; watch the object that it "
+                             "is in");
   if (!Address || Watched->type().Size == 0)
     return createStringError("Cannot watch constant value '" + Text + "'.");
   Expected<Breakpoint *> New =
@@ -171,7 +184,7 @@ Expected<Breakpoint *> Session::addWatchpoint(StringRef Text, uint32_t Thread,
   if (IsLocation || !isLocal(*Address))
     return New;
   Backtrace Stack = backtrace(Thread);
-  const tp::Frame *In = frameOf(*Address, Stack);
+  const tp::Frame *In = frameHolding(*Address, Stack);
   if (!In)
     return New;
   Expected<std::optional<FrameContext>> Caller =
@@ -210,9 +223,10 @@ Expected<Breakpoint *> Session::addWatchpoint(uint32_t Address, uint32_t Bytes,
 }
 
 llvm::Error Session::setCondition(Breakpoint &Of, StringRef Text) {
-  Of.Condition = nullptr;
-  if (Text.trim().empty())
+  if (Text.trim().empty()) {
+    Of.Condition = nullptr;
     return llvm::Error::success();
+  }
   FrameContext There;
   MachineAccess Nothing;
   Nothing.Read = [](uint32_t, MutableArrayRef<uint8_t>) { return false; };
@@ -227,23 +241,30 @@ llvm::Error Session::setCondition(Breakpoint &Of, StringRef Text) {
   return llvm::Error::success();
 }
 
-SessionStop Session::resume(Direction Towards) { return run(Towards, {}); }
+SessionStop Session::resume(Direction Towards) {
+  StopRequested = false;
+  return run(Towards, {});
+}
 
 SessionStop Session::step(const StepRequest &Step) {
+  StopRequested = false;
   return Stepper(*this, Step.Thread).step(Step);
 }
 
 Expected<SessionStop> Session::finish(uint32_t Thread, const Frame &Of,
                                       Direction Towards) {
+  StopRequested = false;
   return Stepper(*this, Thread).finish(Of, Towards);
 }
 
 SessionStop Session::advance(uint32_t Thread, const Frame &Of,
                              ArrayRef<CodeLocation> Locations) {
+  StopRequested = false;
   return Stepper(*this, Thread).advance(Of, Locations);
 }
 
 SessionStop Session::until(uint32_t Thread) {
+  StopRequested = false;
   return Stepper(*this, Thread).until();
 }
 

@@ -79,7 +79,7 @@ public:
   const SessionOptions &options() const { return Request; }
   const ChipConfig &chip() const { return Chip; }
   bool isFunctional() const { return Request.Run.Functional; }
-  const RunSetup &setup() const { return *Loaded; }
+  const ElfProgram &program() const { return *Elf; }
   DebugInformation &information() { return *Information; }
   const ValuePrinter &printer() const { return *Printer; }
   Replay &replay() { return *Machine; }
@@ -148,12 +148,13 @@ private:
 
   llvm::Error start();
   Events wantedEvents(Direction Towards);
+  unsigned frameOf(const CodeLocation &At) const;
   bool countsHit(Breakpoint &At, uint32_t Thread, SessionStop &Result);
   std::optional<SessionStop> interpret(const ReplayStop &At, bool IsOwn);
   void interpretInstruction(const ReplayStop &At, SessionStop &Result);
   void interpretAccess(const ReplayStop &At, SessionStop &Result);
   ProbeTest testOf(const Breakpoint &Of);
-  bool isWanted(llvm::ArrayRef<InstructionEvents> Own, const ReplayStop &At);
+  bool isWanted(const InstructionEvents &Of, const ReplayStop &At);
 
   SessionOptions Request;
   ChipConfig Chip;
@@ -169,11 +170,10 @@ private:
   ProgressFunction Progress;
   std::atomic<bool> StopRequested = false;
   std::vector<std::unique_ptr<MachineAccess>> Access;
-  /// Watchpoints, by the index of their access events and of the events that
-  /// end them.
+  /// Watchpoints, by the index of their access events.
   std::vector<unsigned> Watching;
-  std::vector<unsigned> Ending;
-  size_t FirstEnding = 0;
+  /// Watchpoints that end with a frame, and its return.
+  std::vector<std::pair<unsigned, InstructionEvents>> Ending;
   /// Conditions may be asked for by several threads of the host.
   std::mutex Evaluating;
 };

@@ -65,19 +65,19 @@ Events Session::wantedEvents(Direction Towards) {
     Access.Wanted = testOf(*B);
     Watching.push_back(B->Number);
   }
-  FirstEnding = Result.Instructions.size();
   if (Towards == Direction::Backward)
     return Result;
   for (const std::unique_ptr<Breakpoint> &B : Table.all()) {
     if (!B->Enabled || !B->isWatchpoint() || !B->Watched->ScopeCfa)
       continue;
-    InstructionEvents &Return = Result.Instructions.emplace_back();
+    InstructionEvents Return;
     Return.Pcs = {B->Watched->ScopeReturn};
     Return.Thread = B->Watched->Thread;
     Return.Wanted = [Cfa = *B->Watched->ScopeCfa](const Probe &At) {
       return At.Registers[StackPointerRegister] >= Cfa;
     };
-    Ending.push_back(B->Number);
+    Result.Instructions.push_back(Return);
+    Ending.emplace_back(B->Number, std::move(Return));
   }
   return Result;
 }
@@ -104,24 +104,37 @@ bool Session::countsHit(Breakpoint &At, uint32_t Thread, SessionStop &Result) {
   Result.Numbers.push_back(At.Number);
   if (At.Temporary)
     Result.Deleted.push_back(At.Number);
+  llvm::append_range(Result.Commands, At.Commands);
   return true;
 }
 
+unsigned Session::frameOf(const CodeLocation &At) const {
+  std::vector<InlinedCall> Calls = Information->map().callsAt(At.Address);
+  auto Named = find_if(Calls, [&](const InlinedCall &Call) {
+    return At.Function == Call.Function;
+  });
+  return Named == Calls.end() ? 0 : unsigned(Named - Calls.begin());
+}
+
 void Session::interpretInstruction(const ReplayStop &At, SessionStop &Result) {
-  size_t FirstOwn = FirstEnding + Ending.size();
-  if (At.Event >= FirstEnding && At.Event < FirstOwn) {
-    Result.Kind = SessionStop::ScopeEnded;
-    Result.Numbers = Result.Deleted = {Ending[At.Event - FirstEnding]};
-    return;
-  }
+  for (const auto &[Number, Return] : Ending)
+    if (isWanted(Return, At)) {
+      Result.Kind = SessionStop::ScopeEnded;
+      Result.Numbers.push_back(Number);
+      Result.Deleted.push_back(Number);
+    }
   for (const std::unique_ptr<Breakpoint> &B : Table.all()) {
-    bool IsHere = B->Enabled && !B->isWatchpoint() &&
-                  (!B->Thread || *B->Thread == At.Thread) &&
-                  any_of(B->Locations, [&](const CodeLocation &Location) {
-                    return Location.Address == At.Pc;
-                  });
-    if (IsHere && countsHit(*B, At.Thread, Result))
-      Result.Kind = SessionStop::Breakpoint;
+    if (!B->Enabled || B->isWatchpoint() ||
+        (B->Thread && *B->Thread != At.Thread))
+      continue;
+    auto Here = find_if(B->Locations, [&](const CodeLocation &Location) {
+      return Location.Address == At.Pc;
+    });
+    if (Here == B->Locations.end() || !countsHit(*B, At.Thread, Result) ||
+        Result.Kind == SessionStop::ScopeEnded)
+      continue;
+    Result.Kind = SessionStop::Breakpoint;
+    Result.Frame = frameOf(*Here);
   }
 }
 
@@ -181,7 +194,6 @@ std::optional<SessionStop> Session::interpret(const ReplayStop &At,
 
 SessionStop Session::run(Direction Towards,
                          std::vector<InstructionEvents> Own) {
-  StopRequested = false;
   for (;;) {
     Events Wanted = wantedEvents(Towards);
     size_t FirstOwn = Wanted.Instructions.size();
@@ -191,25 +203,24 @@ SessionStop Session::run(Direction Towards,
     // An own event may be at the place of a breakpoint that came first.
     bool IsOwn = At.Kind == ReplayStop::Instruction && At.Event >= FirstOwn;
     if (!IsOwn && At.Kind == ReplayStop::Instruction && !Own.empty())
-      IsOwn = isWanted(Own, At);
+      IsOwn = any_of(
+          Own, [&](const InstructionEvents &E) { return isWanted(E, At); });
     if (std::optional<SessionStop> Stop = interpret(At, IsOwn))
       return *Stop;
   }
 }
 
-bool Session::isWanted(ArrayRef<InstructionEvents> Own, const ReplayStop &At) {
+bool Session::isWanted(const InstructionEvents &Of, const ReplayStop &At) {
+  if ((Of.Thread && *Of.Thread != At.Thread) ||
+      (!Of.Pcs.empty() && !is_contained(Of.Pcs, At.Pc)))
+    return false;
   std::array<uint32_t, NumRegisters> Registers =
       Machine->thread(At.Thread).Registers;
   std::function<bool(uint32_t, std::span<uint8_t>)> Read =
       [&](uint32_t Address, std::span<uint8_t> Bytes) {
         return Machine->read(At.Thread, Address, Bytes);
       };
-  Probe Here = {At.Thread, At.Pc, At.At, Registers, Read};
-  return any_of(Own, [&](const InstructionEvents &E) {
-    return (!E.Thread || *E.Thread == At.Thread) &&
-           (E.Pcs.empty() || is_contained(E.Pcs, At.Pc)) &&
-           (!E.Wanted || E.Wanted(Here));
-  });
+  return !Of.Wanted || Of.Wanted({At.Thread, At.Pc, At.At, Registers, Read});
 }
 
 SessionStop Session::moveByOne(uint32_t Thread) {

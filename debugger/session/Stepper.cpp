@@ -21,8 +21,8 @@ template <typename T> static T valueOr(Expected<T> Result, T Otherwise) {
   return Otherwise;
 }
 
-static constexpr unsigned ReturnAddressRegister = 31;
-/// The first of two in which functions return.
+/// The first of two in which functions return. The integer one is also that of
+/// the first argument: where to put a result that is returned in memory.
 static constexpr unsigned ResultRegister = 4;
 static constexpr unsigned FloatResultRegister = DwarfFirstFloat + 4;
 
@@ -139,7 +139,7 @@ SessionStop Stepper::to(uint32_t Pc, std::optional<uint32_t> StackPointer,
 
 SessionStop Stepper::returnFromCallee() {
   FrameContext Now = Owner.context(Thread);
-  return to(Now.Registers.Values[ReturnAddressRegister],
+  return to(Now.Registers.Values[LinkRegister],
             Now.Registers.Values[StackPointerRegister], Direction::Forward);
 }
 
@@ -197,11 +197,10 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
         Inside.push_back({Line->Begin, Line->End});
       continue;
     }
-    bool IsTailCall =
-        Start.ReturnPc != 0 &&
-        Owner.context(Thread).Registers.Values[ReturnAddressRegister] ==
-            Start.ReturnPc &&
-        pc() != Start.ReturnPc;
+    bool IsTailCall = Start.ReturnPc != 0 &&
+                      Owner.context(Thread).Registers.Values[LinkRegister] ==
+                          Start.ReturnPc &&
+                      pc() != Start.ReturnPc;
     if (OverCalls && IsTailCall) {
       Stop = returnFromCallee();
       if (!isDone(Stop))
@@ -282,7 +281,7 @@ SessionStop Stepper::step(const StepRequest &Request) {
     return Stop;
   if (!IsForward)
     return backToCall();
-  bool IsCall = Owner.context(Thread).Registers.Values[ReturnAddressRegister] ==
+  bool IsCall = Owner.context(Thread).Registers.Values[LinkRegister] ==
                 Start.Context.Pc + 4;
   return IsCall ? returnFromCallee() : Stop;
 }
@@ -312,13 +311,41 @@ SessionStop Stepper::leaveInlined(const Frame &Of, Direction Towards) {
   }
 }
 
-std::optional<Value> Stepper::returned(uint32_t Function) {
+std::optional<uint32_t> Stepper::resultObject(uint32_t Function,
+                                              uint32_t StackPointer) {
+  InstructionEvents Call;
+  Call.Pcs = {Map.function(Function).Entry};
+  Call.Thread = Thread;
+  Call.Wanted = [StackPointer](const Probe &At) {
+    return At.Registers[StackPointerRegister] == StackPointer;
+  };
+  std::optional<uint32_t> Result;
+  Replay &Machine = Owner.replay();
+  Machine.visit(Machine.now(), [&] {
+    if (Machine.backward({{std::move(Call)}, {}}).Kind ==
+        ReplayStop::Instruction)
+      Result = Machine.thread(Thread).Registers[ResultRegister];
+  });
+  return Result;
+}
+
+std::optional<Value> Stepper::returned(uint32_t Function,
+                                       uint32_t StackPointer) {
   DWARFDie Die = Map.function(Function).Die;
-  if (!Die)
+  // The compiler says so if it has changed how the function is called.
+  if (!Die || dwarf::toUnsigned(Die.find(dwarf::DW_AT_calling_convention), 0) ==
+                  dwarf::DW_CC_nocall)
     return std::nullopt;
   const Type &Of = Owner.information().types().typeOf(Die);
   const Type &Plain = Of.stripped();
-  const RegisterSet Registers = Owner.context(Thread).Registers;
+  const FrameContext Frame = Owner.context(Thread);
+  if (Plain.isRecord()) {
+    std::optional<uint32_t> Address = resultObject(Function, StackPointer);
+    if (!Address)
+      return std::nullopt;
+    Expected<Value> Object = Value::inMemory(Of, *Address).snapshot(Frame);
+    return valueOr(std::move(Object), Value::optimizedOut(Of));
+  }
   unsigned First = Plain.Kind == TypeKind::Float && Plain.Size == 4
                        ? FloatResultRegister
                        : ResultRegister;
@@ -328,7 +355,8 @@ std::optional<Value> Stepper::returned(uint32_t Function) {
     return std::nullopt;
   uint8_t Bytes[8];
   for (unsigned I = 0; I != 2; ++I)
-    support::endian::write32le(Bytes + 4 * I, Registers.Values[First + I]);
+    support::endian::write32le(Bytes + 4 * I,
+                               Frame.Registers.Values[First + I]);
   uint32_t Size = Plain.isReference() ? 4 : Plain.Size;
   return Value::computed(Of, ArrayRef(Bytes, Size));
 }
@@ -348,7 +376,7 @@ Expected<SessionStop> Stepper::finish(const Frame &Of, Direction Towards) {
     return to((*Caller)->lookupPc(), StackPointer, Towards);
   SessionStop Stop = to((*Caller)->Pc, StackPointer, Towards);
   if (isDone(Stop) && Of.Function)
-    Stop.Returned = returned(*Of.Function);
+    Stop.Returned = returned(*Of.Function, StackPointer);
   return Stop;
 }
 

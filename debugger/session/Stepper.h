@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-//===- *- C++ -*-===//
+//===----------------------------------------------------------------------===//
 
 #ifndef TP_DEBUGGER_SESSION_STEPPER_H
 #define TP_DEBUGGER_SESSION_STEPPER_H
@@ -62,7 +62,12 @@ private:
   SessionStop backToCall();
   SessionStop skipPrologue(SessionStop Stop);
   SessionStop leaveInlined(const Frame &Of, Direction Towards);
-  std::optional<Value> returned(uint32_t Function);
+  /// What the function returned to a caller with this stack pointer; none if
+  /// nothing or where is not known.
+  std::optional<Value> returned(uint32_t Function, uint32_t StackPointer);
+  /// The object that the caller has reserved for what the function returns.
+  std::optional<uint32_t> resultObject(uint32_t Function,
+                                       uint32_t StackPointer);
 };
 
 } // namespace tp

@@ -28,8 +28,8 @@ struct SessionStop {
     Breakpoint,
     /// A watchpoint; see Numbers and Access.
     Watchpoint,
-    /// The variables of a watched expression went out of scope; the watchpoint
-    /// of Numbers is deleted.
+    /// The variables of watched expressions went out of scope; these
+    /// watchpoints are the first of Numbers, and deleted.
     ScopeEnded,
     /// A step, finish, until or advance is done.
     Step,
@@ -44,17 +44,21 @@ struct SessionStop {
     /// The condition of a breakpoint cannot be evaluated; see Numbers and
     /// Message.
     ConditionFailed,
-    /// The thread that was to step has halted; others have not run on.
-    ThreadHalted,
   };
   StopKind Kind = Step;
   /// Whom it concerns.
   uint32_t Thread = 0;
   uint32_t Pc = 0;
+  /// The frame of Thread's stack that the user wants to see: that of the
+  /// function whose breakpoint it is, not of one inlined at its beginning.
+  unsigned Frame = 0;
   /// Breakpoints and watchpoints that stopped here.
   std::vector<unsigned> Numbers;
-  /// Numbers of those that were temporary, and are deleted.
+  /// Numbers of those that are deleted: temporary ones, and watchpoints whose
+  /// scope has ended.
   std::vector<unsigned> Deleted;
+  /// The commands of those that stopped here.
+  std::vector<std::string> Commands;
 
   /// Of a watchpoint: the access, by which instruction, and the bytes that are
   /// watched before and after it.

@@ -430,8 +430,10 @@ Arithmetic::convertClassPointer(const Value &From, const Type &To,
       Value::inMemory(*Class, uint32_t(*Address)), *Wanted, Frame);
   if (!Object)
     return Object;
-  if (const std::optional<Value> &Found = *Object)
-    return Value::integer(To, *Found->address());
+  const std::optional<Value> &Found = *Object;
+  std::optional<uint32_t> Where = Found ? Found->address() : std::nullopt;
+  if (Where)
+    return Value::integer(To, *Where);
   return std::nullopt;
 }
 

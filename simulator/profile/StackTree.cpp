@@ -10,6 +10,7 @@
 #include "llvm/ADT/STLExtras.h"
 
 #include <algorithm>
+#include <cassert>
 
 using namespace llvm;
 
@@ -74,6 +75,7 @@ uint32_t StackTree::nodeOf(std::optional<uint32_t> Base, uint32_t Frame) {
   std::vector<uint32_t> Chain = Data.framesFrom(Frame);
   for (uint32_t Place : reverse(Chain))
     Base = child(Base, Data.Frames[Place].Function);
+  assert(Base && "a chain has a frame");
   return *Base;
 }
 
@@ -99,6 +101,7 @@ void StackTree::addInstruction(const ProfileInstruction &Instruction) {
   }
   auto SharesBy = [&](function_ref<uint64_t(const ProfileCounts &)> Weight) {
     std::vector<uint64_t> Weights;
+    Weights.reserve(Calls.size());
     for (uint32_t Call : Calls)
       Weights.push_back(Weight(Data.Calls[Call].Self));
     return Shares(Weights);

@@ -14,7 +14,7 @@
 namespace tp {
 
 ThreadTracer::ThreadTracer(const ChipConfig &Chip, const Program &Text,
-                           std::vector<uint32_t> Threads, CycleRange Range)
+                           std::span<const uint32_t> Threads, CycleRange Range)
     : Chip(Chip), Text(Text), Range(Range), CourseOf(Chip.threadCount()) {
   for (uint32_t Thread : Threads) {
     Courses.emplace_back().Result.Thread = Thread;

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tp {
@@ -55,7 +56,7 @@ class ThreadTracer final : public IssueObserver {
 public:
   /// \p Threads are different ones.
   ThreadTracer(const ChipConfig &Chip, const Program &Text,
-               std::vector<uint32_t> Threads, CycleRange Range);
+               std::span<const uint32_t> Threads, CycleRange Range);
 
   void issuing(const Thread &T, uint32_t Word, uint64_t Cycle,
                const TmRunnerState &Runner) override;

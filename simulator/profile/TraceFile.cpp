@@ -160,7 +160,7 @@ private:
     auto [Known, IsNew] = Texts.try_emplace(Word);
     if (IsNew)
       Known->second = Disassembly.print(
-          support::endian::read32le(&Program.text().Contents[Word * 4]),
+          support::endian::read32le(&Program.text().Contents[size_t(Word) * 4]),
           pcOf(Word));
     return Known->second;
   }

@@ -31,7 +31,7 @@ TraceTask::start(const TraceRequest &Request, const ChipConfig &Chip,
       Threads.push_back(Thread);
   }
   std::unique_ptr<TraceTask> Task(
-      new TraceTask(Request, Chip, Loaded, Recorder, std::move(Threads)));
+      new TraceTask(Request, Chip, Loaded, Recorder, Threads));
   Machine.setIssueObserver(
       &Task->Tracer,
       std::vector<bool>(Loaded.Text.instructions().size(), true));
@@ -40,7 +40,7 @@ TraceTask::start(const TraceRequest &Request, const ChipConfig &Chip,
 
 TraceTask::TraceTask(const TraceRequest &Request, const ChipConfig &Chip,
                      const RunSetup &Loaded, ExecutionRecorder &Recorder,
-                     std::vector<uint32_t> Threads)
+                     ArrayRef<uint32_t> Threads)
     : Request(Request), Chip(Chip), Loaded(Loaded), Recorder(Recorder),
       Tracer(Chip, Loaded.Text, Threads,
              {Request.FirstCycle, Request.EndCycle}) {

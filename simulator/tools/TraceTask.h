@@ -31,7 +31,7 @@ public:
 private:
   TraceTask(const TraceRequest &Request, const ChipConfig &Chip,
             const RunSetup &Loaded, ExecutionRecorder &Recorder,
-            std::vector<uint32_t> Threads);
+            llvm::ArrayRef<uint32_t> Threads);
 
   const TraceRequest &Request;
   const ChipConfig &Chip;

@@ -117,7 +117,8 @@ TEST(JsonReport, TellsOfInstructionsIfAsked) {
   RunSummary Run = Small.summary();
   Run.FramesOf = [](uint32_t Pc) -> std::vector<SourceFrame> {
     if (Pc == 0x10000)
-      return {{"inner", "a.h", 3, 7}, {"main", "a.cpp", 9, 0}};
+      return {{"inner", "a.h", 3, 7, "a.h", 2},
+              {"main", "a.cpp", 9, 0, "a.cpp", 8}};
     return {};
   };
   llvm::Expected<llvm::json::Value> Parsed = llvm::json::parse(json(Run));
