@@ -53,11 +53,6 @@ void printThreads(Shell &S) {
   }
 }
 
-std::string registerName(unsigned Register) {
-  return (Register < DwarfFirstFloat ? "r" : "f") +
-         utostr(Register % DwarfFirstFloat);
-}
-
 static void printRequest(Shell &S, const RequestUnderWay &Request) {
   S.OS << "  " << registerName(Request.Register) << " from "
        << mnemonic(Request.Producer);

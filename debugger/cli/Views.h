@@ -24,9 +24,6 @@ void printThreads(Shell &S);
 /// The selected thread's time: cycle, why it waits, what is under way.
 void printTiming(Shell &S);
 
-/// `r4` or `f4` of a register's number in DWARF.
-std::string registerName(unsigned Register);
-
 /// The chip's threads by what they do in this cycle.
 void printChip(Shell &S);
 

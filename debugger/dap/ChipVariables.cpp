@@ -48,14 +48,8 @@ std::string stateText(const ReplayThread &Thread) {
   llvm_unreachable("unknown state of a thread");
 }
 
-std::string registerName(unsigned Register) {
-  if (Register < DwarfFirstFloat)
-    return "r" + utostr(Register);
-  return "f" + utostr(Register - DwarfFirstFloat);
-}
-
 std::string waitText(const ThreadTiming &Timing) {
-  if (!Timing.Reason)
+  if (!Timing.Reason || *Timing.Reason == Loss::Finished)
     return "nothing";
   std::string Text = lossName(*Timing.Reason);
   if (isWaitForResult(*Timing.Reason))

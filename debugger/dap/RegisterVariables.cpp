@@ -38,11 +38,11 @@ protected:
 
   /// \p Print writes the register's bits.
   VariableRow
-  registerRow(std::string Name, unsigned Register,
+  registerRow(unsigned Register,
               function_ref<void(raw_ostream &, uint32_t)> Print) const {
     VariableRow Row;
-    Row.Expression = "$" + Name;
-    Row.Name = std::move(Name);
+    Row.Name = registerName(Register);
+    Row.Expression = "$" + Row.Name;
     Row.IsReadOnly = !Frame.Registers.isKnown(Register);
     if (Row.IsReadOnly) {
       Row.Value = "<not saved>";
@@ -62,15 +62,14 @@ public:
 
 protected:
   VariableRow row(uint32_t Index, ValueFormat Format) const override {
-    return registerRow("f" + utostr(Index), DwarfFirstFloat + Index,
-                       [&](raw_ostream &OS, uint32_t Bits) {
-                         if (Format.Hex)
-                           OS << format("0x%08x", Bits);
-                         else
-                           OS << format(
-                               "%.*g", std::numeric_limits<float>::max_digits10,
-                               double(bit_cast<float>(Bits)));
-                       });
+    return registerRow(
+        DwarfFirstFloat + Index, [&](raw_ostream &OS, uint32_t Bits) {
+          if (Format.Hex)
+            OS << format("0x%08x", Bits);
+          else
+            OS << format("%.*g", std::numeric_limits<float>::max_digits10,
+                         double(bit_cast<float>(Bits)));
+        });
   }
 };
 
@@ -97,12 +96,11 @@ protected:
       Row.Parts = std::make_shared<FloatRegisters>(Frame);
       return Row;
     }
-    return registerRow("r" + utostr(Index - 1), Index - 1,
-                       [&](raw_ostream &OS, uint32_t Bits) {
-                         OS << format("0x%08x", Bits);
-                         if (!Format.Hex)
-                           OS << format("  %d", int32_t(Bits));
-                       });
+    return registerRow(Index - 1, [&](raw_ostream &OS, uint32_t Bits) {
+      OS << format("0x%08x", Bits);
+      if (!Format.Hex)
+        OS << format("  %d", int32_t(Bits));
+    });
   }
 };
 

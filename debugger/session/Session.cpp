@@ -161,8 +161,7 @@ Expected<Breakpoint *> Session::addWatchpoint(StringRef Text, uint32_t Thread,
   if (std::optional<unsigned> Register = Watched->registerNumber())
     return createStringError(
         "Cannot watch '" + Text + "': it is in register " +
-        (*Register < DwarfFirstFloat ? "r" : "f") +
-        Twine(*Register % DwarfFirstFloat) +
+        registerName(*Register) +
         " here, and only memory can be watched; compile with -O0, or use a "
         "conditional breakpoint");
   if (Watched->isOptimizedOut())

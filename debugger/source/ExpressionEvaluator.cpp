@@ -148,8 +148,7 @@ Expected<Value> ExpressionEvaluator::addressOf(const ExpressionNode &Node,
   if (std::optional<unsigned> Register = Plain->registerNumber())
     return createStringError("Address requested for a value that is in "
                              "register " +
-                             Twine(*Register >= DwarfFirstFloat ? "f" : "r") +
-                             Twine(*Register % DwarfFirstFloat) + ".");
+                             registerName(*Register) + ".");
   std::optional<uint32_t> Address = Plain->address();
   if (!Address)
     return createStringError(Plain->isOptimizedOut()

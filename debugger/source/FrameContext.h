@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 namespace tp {
 
@@ -19,6 +20,12 @@ namespace tp {
 /// f31.
 inline constexpr unsigned DwarfRegisters = 64;
 inline constexpr unsigned DwarfFirstFloat = 32;
+
+/// `r4` or `f4`.
+inline std::string registerName(unsigned DwarfNumber) {
+  return (DwarfNumber < DwarfFirstFloat ? "r" : "f") +
+         std::to_string(DwarfNumber % DwarfFirstFloat);
+}
 
 /// Registers as far as they are known.
 struct RegisterSet {

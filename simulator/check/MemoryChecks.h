@@ -44,7 +44,7 @@ struct MemoryCheckOptions {
 /// The checks memory, init and stack.
 class MemoryChecks : public ExecutionChecks {
 public:
-  /// Undefined BitsOf of what the instruction loads and stores, and where they
+  /// Undefined bits of what the instruction loads and stores, and where they
   /// come from.
   struct Step {
     UndefinedBits Loaded = 0;
@@ -132,7 +132,7 @@ private:
   void nameBlock(const HeapBlock &Block, uint32_t Address, Report &R) const;
 
   [[gnu::noinline]] void loadUndefined(Step &S, const CheckedAccess &A);
-  /// The instruction depends on undefined BitsOf of its source \p Operand.
+  /// The instruction depends on undefined bits of its source \p Operand.
   [[gnu::noinline]] void reportUndefined(FunctionalThread &T, uint32_t Pc,
                                          const char *Kind, const char *Title,
                                          uint8_t Register);
@@ -189,7 +189,7 @@ private:
   std::string Error;
 };
 
-/// Whether an instruction's sources have undefined BitsOf.
+/// Whether an instruction's sources have undefined bits.
 template <class BodyType>
 [[gnu::always_inline]] inline UndefinedBits
 undefinedSources(const ThreadShadow &Shadow, const Instruction &Decoded) {

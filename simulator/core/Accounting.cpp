@@ -20,13 +20,12 @@ static uint64_t accountedTo(const Thread &T, uint64_t NextCycle) {
   return NextCycle;
 }
 
-/// What the thread loses from there on.
-static Loss currentLoss(const Thread &T) {
+std::optional<Loss> lossWithoutData(const Thread &T) {
   if (T.State == ThreadState::AtBarrier)
     return Loss::Barrier;
   if (T.State != ThreadState::Running)
     return Loss::Finished;
-  switch (T.Requests->waitsFor()) {
+  switch (T.Requests ? T.Requests->waitsFor() : Awaited::Nothing) {
   case Awaited::StoreEntry:
     return Loss::StoreBuffer;
   case Awaited::AllStores:
@@ -34,7 +33,7 @@ static Loss currentLoss(const Thread &T) {
   case Awaited::Line:
     return Loss::IcacheMiss;
   default:
-    return Loss::Memory;
+    return std::nullopt;
   }
 }
 
@@ -50,7 +49,7 @@ static ThreadStatistics summarizeThread(const Thread &T, uint64_t NextCycle,
   Result.Instructions = issuedBy(T, NextCycle);
   LossCounts &LostAt = Sum.Pcs[T.LastWord].Lost;
   if (Accounted < Cycles) {
-    Loss Reason = currentLoss(T);
+    Loss Reason = lossWithoutData(T).value_or(Loss::Memory);
     Result.Lost[unsigned(Reason)] += Cycles - Accounted;
     if (isWaitForResult(Reason))
       Sum.DataStall[unsigned(T.LastProducer)] += Cycles - Accounted;

@@ -11,10 +11,15 @@
 #include "simulator/stats/Statistics.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace tp {
+
+/// Why the thread does not issue if it waits for something else than data, or
+/// no longer runs.
+std::optional<Loss> lossWithoutData(const Thread &T);
 
 /// Instructions that a thread, which may go on in \p NextCycle, has issued.
 uint64_t issuedBy(const Thread &T, uint64_t NextCycle);

@@ -43,24 +43,6 @@ std::vector<RequestUnderWay> CycleReplay::underWay(const Thread &T) const {
   return Result;
 }
 
-/// Why a thread does not issue that waits for something else than data.
-static std::optional<Loss> lossWithoutData(const Thread &T) {
-  if (T.State == ThreadState::AtBarrier)
-    return Loss::Barrier;
-  if (T.State == ThreadState::Halted)
-    return Loss::Finished;
-  switch (T.Requests ? T.Requests->waitsFor() : Awaited::Nothing) {
-  case Awaited::StoreEntry:
-    return Loss::StoreBuffer;
-  case Awaited::AllStores:
-    return Loss::Sync;
-  case Awaited::Line:
-    return Loss::IcacheMiss;
-  default:
-    return std::nullopt;
-  }
-}
-
 /// Of those whose time is not known, which has gone less far.
 static bool isReadyBefore(const RequestUnderWay &A, const RequestUnderWay &B) {
   const auto Rank = [](const RequestUnderWay &Request) {
