@@ -289,7 +289,7 @@ void MemoryChecks::reportUndefined(FunctionalThread &T, uint32_t Pc,
 }
 
 void MemoryChecks::atomic(Step &S, const CheckedAccess &A) {
-  checkAccess(A, /*IsStore=*/true);
+  checkAccess(memoryOf(A), A, /*IsStore=*/true);
   uint8_t *Bits = memoryOf(A).undefined(A.Address);
   std::memcpy(&S.Loaded, Bits, sizeof(S.Loaded));
   if (S.Loaded == 0)
@@ -300,7 +300,7 @@ void MemoryChecks::atomic(Step &S, const CheckedAccess &A) {
 }
 
 void MemoryChecks::streamLoad(Step &S, const CheckedAccess &A) {
-  checkAccess(A, /*IsStore=*/false);
+  checkAccess(memoryOf(A), A, /*IsStore=*/false);
   UndefinedBits Bits;
   std::memcpy(&Bits, Global->undefined(A.Address), 4);
   S.Loaded |= Bits;
@@ -309,7 +309,7 @@ void MemoryChecks::streamLoad(Step &S, const CheckedAccess &A) {
 }
 
 void MemoryChecks::streamStore(Step &S, const CheckedAccess &A) {
-  checkAccess(A, /*IsStore=*/true);
+  checkAccess(memoryOf(A), A, /*IsStore=*/true);
   const UndefinedBits Bits = A.Address >= S.StreamWords ? S.Stored : 0;
   std::memcpy(Global->undefined(A.Address), &Bits, sizeof(Bits));
   if (Bits != 0)
@@ -321,7 +321,7 @@ void MemoryChecks::output(FunctionalThread &T, uint32_t Pc, uint32_t Address,
   bool IsLocal = Space.isLocal(Address);
   for (uint32_t I = 0; I != Bytes; ++I) {
     CheckedAccess A{T, Pc, Address + I, 1, nullptr, IsLocal};
-    checkAccess(A, /*IsStore=*/false);
+    checkAccess(memoryOf(A), A, /*IsStore=*/false);
     if (*memoryOf(A).undefined(A.Address) == 0)
       continue;
     Step S;

@@ -112,9 +112,9 @@ private:
     return {T.Number, Pc, shadowOf(T).Calls.context()};
   }
 
-  [[gnu::always_inline]] void checkAccess(const CheckedAccess &A,
-                                          bool IsStore) {
-    if (memoryOf(A).accessOf(A.Address) != 0) [[unlikely]]
+  [[gnu::always_inline]] void
+  checkAccess(ShadowMemory &Memory, const CheckedAccess &A, bool IsStore) {
+    if (Memory.accessOf(A.Address) != 0) [[unlikely]]
       checkCode(A, IsStore);
     if (A.IsLocal ? A.Address < A.T.Registers[StackPointerRegister]
                   : A.Address >= HeapFrontier) [[unlikely]]
@@ -360,18 +360,29 @@ void MemoryChecks::branched(FunctionalThread &T, uint32_t Pc,
     shadowOf(T).Calls.jumped(Target, T.Registers[StackPointerRegister]);
 }
 
+// What the rare paths are given a reference to counts as changed by them; the
+// rest is done with copies, whose sizes are constants.
 inline void MemoryChecks::load(Step &S, const CheckedAccess &A) {
-  checkAccess(A, /*IsStore=*/false);
-  std::memcpy(&S.Loaded, memoryOf(A).undefined(A.Address), A.Bytes);
-  if (S.Loaded != 0) [[unlikely]]
+  ShadowMemory &Memory = memoryOf(A);
+  const uint32_t Address = A.Address;
+  const uint32_t Bytes = A.Bytes;
+  checkAccess(Memory, A, /*IsStore=*/false);
+  UndefinedBits Loaded = 0;
+  std::memcpy(&Loaded, Memory.undefined(Address), Bytes);
+  S.Loaded = Loaded;
+  if (Loaded != 0) [[unlikely]]
     loadUndefined(S, A);
 }
 
 inline void MemoryChecks::store(Step &S, const CheckedAccess &A) {
-  checkAccess(A, /*IsStore=*/true);
-  std::memcpy(memoryOf(A).undefined(A.Address), &S.Stored, A.Bytes);
-  if (S.Stored != 0) [[unlikely]]
-    memoryOf(A).setOrigin(A.Address, S.StoredOrigin);
+  ShadowMemory &Memory = memoryOf(A);
+  const uint32_t Address = A.Address;
+  const uint32_t Bytes = A.Bytes;
+  const UndefinedBits Stored = S.Stored;
+  checkAccess(Memory, A, /*IsStore=*/true);
+  std::memcpy(Memory.undefined(Address), &Stored, Bytes);
+  if (Stored != 0) [[unlikely]]
+    Memory.setOrigin(Address, S.StoredOrigin);
 }
 
 } // namespace tp
