@@ -6,8 +6,9 @@
 //
 // tp-random-moments COUNT SEED OPTIONS-OF-TPSIM: continues a program backward
 // to breakpoints at random places, and compares where it lands with an engine
-// that runs from the start to that cycle and knows no replay: registers, both
-// memories, the counts of each instruction and the losses of each thread.
+// that runs from the start to there and knows no replay: registers, both
+// memories, the counts of each instruction and the losses of each thread. With
+// --functional, moments are numbers of instructions.
 //
 //===----------------------------------------------------------------------===//
 
@@ -32,14 +33,27 @@ struct Subject {
   std::unique_ptr<RunSetup> Setup;
   std::vector<uint8_t> Loaded;
 
-  State stateAt(uint64_t Cycle) const {
+  bool IsFunctional;
+
+  State stateAt(uint64_t Time) const {
     Memory Global(Chip.MemoryBytes);
     std::memcpy(Global.data(), Loaded.data(), Loaded.size());
+    if (IsFunctional) {
+      FunctionalMachine Machine(Chip, Setup->Text, Global);
+      FunctionalLimits Limits;
+      Limits.PauseBefore = Time;
+      Machine.run(Limits);
+      return stateOf(Machine, Chip, Global);
+    }
     Engine Machine(Chip, Setup->Text, Global, makeMemorySystem(Chip));
     RunLimits Limits;
-    Limits.MaxCycles = Cycle;
+    Limits.MaxCycles = Time;
     Machine.run(Limits);
     return stateOf(Machine, Chip, Setup->Text, Global);
+  }
+  std::unique_ptr<Replay> makeReplay(std::string &Problem) {
+    auto Make = IsFunctional ? makeFunctionalReplay : makeCycleReplay;
+    return Make(Chip, Setup->Text, Setup->Global, {}, Problem);
   }
 };
 
@@ -56,41 +70,43 @@ static Expected<Subject> load(ArrayRef<const char *> Arguments,
   Expected<std::unique_ptr<RunSetup>> Setup = setUp(*Request, *Chip);
   if (!Setup)
     return Setup.takeError();
-  Subject Result{*Chip, std::move(*Setup), {}};
+  Subject Result{*Chip, std::move(*Setup), {}, Request->Functional};
   const Memory &Global = Result.Setup->Global;
   Result.Loaded.assign(Global.data(), Global.data() + Global.size());
   return Result;
 }
 
-/// Goes to a random moment, and back to where a thread was at its instruction
-/// before. Where that was; 0 if nowhere.
+/// Goes to a random moment, and back to where one of the threads was at the
+/// instruction of a random one. Where that was; 0 if nowhere.
 static uint64_t goBack(Replay &Run, uint64_t End, RandomSource &Random) {
   Run.goTo({1 + Random.word() % (End - 1), 0});
   const uint32_t Thread = Random.below(Run.threadCount());
   Events Wanted;
-  Wanted.Instructions.push_back({{Run.thread(Thread).Pc}, Thread, nullptr});
+  Wanted.Instructions.push_back(
+      {{Run.thread(Thread).Pc}, std::nullopt, nullptr});
   const ReplayStop Stop = Run.backward(Wanted);
   return Stop.Kind == ReplayStop::Instruction ? Stop.At.Time : 0;
 }
 
 static llvm::Error compare(Subject &S, unsigned Count, uint64_t Seed) {
   std::string Problem;
-  std::unique_ptr<Replay> Run =
-      makeCycleReplay(S.Chip, S.Setup->Text, S.Setup->Global, {}, Problem);
+  std::unique_ptr<Replay> Run = S.makeReplay(Problem);
   if (!Run)
     return createStringError(Problem);
   const uint64_t End = Run->forward({}).At.Time;
+  const StringRef Unit = S.IsFunctional ? "instruction " : "cycle ";
   RandomSource Random(Seed);
   for (unsigned Done = 0; Done != Count;) {
-    const uint64_t Cycle = goBack(*Run, End, Random);
-    if (Cycle == 0)
+    const uint64_t Time = goBack(*Run, End, Random);
+    if (Time == 0)
       continue;
-    if (stateOf(*Run, S.Chip, S.Setup->Global) != S.stateAt(Cycle))
-      return createStringError("cycle " + Twine(Cycle) +
+    if (stateOf(*Run, S.Chip, S.Setup->Global) != S.stateAt(Time))
+      return createStringError(Unit + Twine(Time) +
                                " is not as forward execution had it");
     ++Done;
   }
-  outs() << Count << " moments of " << End << " cycles are the same\n";
+  outs() << Count << " moments of " << End << ' ' << Unit.rtrim()
+         << "s are the same\n";
   return llvm::Error::success();
 }
 
