@@ -30,13 +30,14 @@ public:
       return address();
     auto [Files, Rest] = splitFile();
     if (std::optional<uint32_t> Line = lineNumber(Rest)) {
-      if (!Files)
-        Files = {{Defaults.Position.File}};
+      if (Error E = checkFiles(Files))
+        return std::move(E);
       if (Text == Rest && !Defaults.Position.isKnown())
         return createStringError(
             "No default source file; say FILE:LINE of a file that was "
             "compiled with -g.");
-      return atLine(*Files, *Line);
+      return atLine(Files ? *Files : std::vector{Defaults.Position.File},
+                    *Line);
     }
     if (Rest.empty() || Rest.front() == '+' || Rest.front() == '-' ||
         isDigit(Rest.front()))
@@ -46,6 +47,8 @@ public:
 
   Expected<SourcePosition> line() {
     auto [Files, Rest] = splitFile();
+    if (Error E = checkFiles(Files))
+      return std::move(E);
     if (std::optional<uint32_t> Line = lineNumber(Rest)) {
       if (!Files && !Defaults.Position.isKnown())
         return createStringError("No default source file.");
@@ -158,18 +161,15 @@ private:
                              Text.take_front(Text.find(':')) + ".");
   }
 
-  Expected<std::vector<CodeLocation>> atLine(const FileList &Files,
+  Expected<std::vector<CodeLocation>> atLine(ArrayRef<SourceFileId> Files,
                                              uint32_t Line) {
-    if (Error E = checkFiles(Files))
-      return std::move(E);
     std::vector<CodeLocation> Result;
-    for (SourceFileId File : *Files)
+    for (SourceFileId File : Files)
       for (const LineStop &Stop : Map.stopsAtLine(File, Line))
         Result.push_back({Stop.Address, Stop.Position, std::nullopt});
     if (Result.empty())
       return createStringError("No line " + Twine(Line) + " in file \"" +
-                               Information.files().name(Files->front()) +
-                               "\".");
+                               Information.files().name(Files.front()) + "\".");
     return unique(std::move(Result));
   }
 
