@@ -14,6 +14,7 @@
 using namespace llvm;
 
 namespace tp {
+
 namespace {
 
 /// `LOCATION thread N if CONDITION` in its parts.
@@ -23,8 +24,10 @@ struct BreakpointText {
   StringRef Condition;
 };
 
+} // namespace
+
 /// Where the word \p Word begins in \p Text, or npos.
-size_t findWord(StringRef Text, StringRef Word) {
+static size_t findWord(StringRef Text, StringRef Word) {
   for (size_t At = Text.find(Word); At != StringRef::npos;
        At = Text.find(Word, At + 1)) {
     StringRef Behind = Text.substr(At + Word.size());
@@ -36,7 +39,7 @@ size_t findWord(StringRef Text, StringRef Word) {
   return StringRef::npos;
 }
 
-Expected<BreakpointText> splitBreakpoint(Shell &S, StringRef Text) {
+static Expected<BreakpointText> splitBreakpoint(Shell &S, StringRef Text) {
   BreakpointText Result;
   if (size_t If = findWord(Text, "if"); If != StringRef::npos) {
     Result.Condition = Text.substr(If + 2).trim();
@@ -59,8 +62,8 @@ Expected<BreakpointText> splitBreakpoint(Shell &S, StringRef Text) {
   return Result;
 }
 
-llvm::Error finishBreakpoint(Shell &S, Breakpoint &New,
-                             const BreakpointText &Text) {
+static llvm::Error finishBreakpoint(Shell &S, Breakpoint &New,
+                                    const BreakpointText &Text) {
   New.Thread = Text.Thread;
   if (llvm::Error E = S.Program.setCondition(New, Text.Condition)) {
     S.Program.breakpoints().remove(New.Number);
@@ -70,8 +73,8 @@ llvm::Error finishBreakpoint(Shell &S, Breakpoint &New,
   return llvm::Error::success();
 }
 
-llvm::Error addBreakpoint(Shell &S, CommandArguments Arguments,
-                          bool IsTemporary) {
+static llvm::Error addBreakpoint(Shell &S, CommandArguments Arguments,
+                                 bool IsTemporary) {
   Expected<BreakpointText> Text = splitBreakpoint(S, Arguments.Text);
   if (!Text)
     return Text.takeError();
@@ -96,17 +99,17 @@ llvm::Error addBreakpoint(Shell &S, CommandArguments Arguments,
   return llvm::Error::success();
 }
 
-llvm::Error breakCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error breakCommand(Shell &S, CommandArguments Arguments) {
   return addBreakpoint(S, Arguments, false);
 }
 
-llvm::Error temporaryCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error temporaryCommand(Shell &S, CommandArguments Arguments) {
   return addBreakpoint(S, Arguments, true);
 }
 
 /// `-r ADDRESS BYTES`.
-Expected<Breakpoint *> watchRange(Shell &S, StringRef Text, bool Reads,
-                                  bool Writes) {
+static Expected<Breakpoint *> watchRange(Shell &S, StringRef Text, bool Reads,
+                                         bool Writes) {
   auto [AddressText, SizeText] = Text.trim().rsplit(' ');
   if (SizeText.empty())
     return createStringError("Argument required (-r ADDRESS BYTES).");
@@ -123,7 +126,7 @@ Expected<Breakpoint *> watchRange(Shell &S, StringRef Text, bool Reads,
 }
 
 template <bool Reads, bool Writes>
-llvm::Error watchCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error watchCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty())
     return createStringError("Argument required (expression to compute).");
   Expected<BreakpointText> Text = splitBreakpoint(S, Arguments.Text);
@@ -150,7 +153,7 @@ llvm::Error watchCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-Expected<Breakpoint *> numbered(Shell &S, StringRef Text) {
+static Expected<Breakpoint *> numbered(Shell &S, StringRef Text) {
   unsigned Number;
   if (Text.getAsInteger(10, Number))
     return createStringError("bad breakpoint number: '" + Text + "'");
@@ -161,8 +164,8 @@ Expected<Breakpoint *> numbered(Shell &S, StringRef Text) {
 }
 
 /// Calls \p Do with each of the breakpoints `1 3-5`, or all.
-llvm::Error forEach(Shell &S, StringRef Text,
-                    function_ref<void(Breakpoint &)> Do) {
+static llvm::Error forEach(Shell &S, StringRef Text,
+                           function_ref<void(Breakpoint &)> Do) {
   S.Result.HasChanged = true;
   if (Text.empty()) {
     std::vector<unsigned> Numbers;
@@ -190,7 +193,7 @@ llvm::Error forEach(Shell &S, StringRef Text,
   return llvm::Error::success();
 }
 
-llvm::Error deleteCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error deleteCommand(Shell &S, CommandArguments Arguments) {
   Arguments.Text.consume_front("breakpoints");
   if (Arguments.Text.consume_front("display"))
     return undisplay(S, Arguments.Text.trim());
@@ -200,14 +203,14 @@ llvm::Error deleteCommand(Shell &S, CommandArguments Arguments) {
 }
 
 template <bool IsEnabled>
-llvm::Error enableCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error enableCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.Text.consume_front("display"))
     return enableDisplays(S, Arguments.Text.trim(), IsEnabled);
   return forEach(S, Arguments.Text,
                  [](Breakpoint &B) { B.Enabled = IsEnabled; });
 }
 
-llvm::Error clearCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error clearCommand(Shell &S, CommandArguments Arguments) {
   Expected<std::vector<CodeLocation>> Found =
       findLocations(Arguments.Text, S.info(), S.locationDefaults());
   if (!Found)
@@ -231,7 +234,7 @@ llvm::Error clearCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error conditionCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error conditionCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty())
     return createStringError("Argument required (breakpoint number).");
   Expected<Breakpoint *> Found = numbered(S, Arguments.takeWord());
@@ -244,7 +247,7 @@ llvm::Error conditionCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error ignoreCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error ignoreCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty())
     return createStringError("Argument required (a breakpoint number).");
   Expected<Breakpoint *> Found = numbered(S, Arguments.takeWord());
@@ -260,7 +263,7 @@ llvm::Error ignoreCommand(Shell &S, CommandArguments Arguments) {
 }
 
 /// The lines up to `end` follow as commands of their own.
-llvm::Error commandsCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error commandsCommand(Shell &S, CommandArguments Arguments) {
   if (S.Program.breakpoints().all().empty())
     return createStringError("No breakpoints specified.");
   CommandList List;
@@ -274,7 +277,7 @@ llvm::Error commandsCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-constexpr Command Table[] = {
+static constexpr Command Table[] = {
     {"break", "b br", "[LOCATION] [thread N|TM.TP|all] [if CONDITION]",
      "Stop before a place in the program.\n"
      "LOCATION is FILE:LINE, LINE, FUNCTION, FILE:FUNCTION or *ADDRESS; "
@@ -322,8 +325,6 @@ constexpr Command Table[] = {
      "that "
      "lets it run.",
      commandsCommand}};
-
-} // namespace
 
 ArrayRef<Command> breakpointCommands() { return Table; }
 

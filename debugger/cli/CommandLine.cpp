@@ -32,7 +32,8 @@ struct CommandLine::Implementation : Shell {
   llvm::Error run(StringRef Line, CommandLine &Commands);
 
 private:
-  void readListed(StringRef Line);
+  /// One of the lines behind `commands`.
+  void readListed(CommandList &List, StringRef Line);
   llvm::Error runOne(StringRef Line, CommandLine &Commands);
   llvm::Error runSourced(CommandLine &Commands);
 };
@@ -50,26 +51,27 @@ static StringRef takeName(StringRef Line, CommandArguments &Arguments) {
   return Name;
 }
 
-void CommandLine::Implementation::readListed(StringRef Line) {
+void CommandLine::Implementation::readListed(CommandList &List,
+                                             StringRef Line) {
   bool IsEnd = Line == "end" || Line == "DONE";
-  if (IsEnd && Listing->Depth == 0) {
-    for (unsigned Number : Listing->Breakpoints)
+  if (IsEnd && List.Depth == 0) {
+    for (unsigned Number : List.Breakpoints)
       if (Breakpoint *Of = Program.breakpoints().find(Number))
-        Of->Commands = Listing->Lines;
+        Of->Commands = List.Lines;
     Listing.reset();
     return;
   }
   if (IsEnd)
-    --Listing->Depth;
+    --List.Depth;
   else if (CommandArguments Arguments; takeName(Line, Arguments) == "commands")
-    ++Listing->Depth;
-  Listing->Lines.push_back(Line.str());
+    ++List.Depth;
+  List.Lines.push_back(Line.str());
 }
 
 llvm::Error CommandLine::Implementation::runOne(StringRef Line,
                                                 CommandLine &Commands) {
   if (Listing) {
-    readListed(Line);
+    readListed(*Listing, Line);
     return llvm::Error::success();
   }
   Expected<std::string> Translated = fromLldb(Line);
@@ -113,7 +115,8 @@ llvm::Error CommandLine::Implementation::run(StringRef Line,
     return llvm::Error::success();
   SaveAndRestore AtStop(IsAtStop, true);
   while (Result.Stop && !Result.Stop->Commands.empty() && !Result.Quit) {
-    SessionStop Stop = *std::exchange(Result.Stop, std::nullopt);
+    SessionStop Stop = std::move(*Result.Stop);
+    Result.Stop.reset();
     for (const std::string &Listed : std::exchange(Stop.Commands, {})) {
       if (Listed == "silent")
         continue;

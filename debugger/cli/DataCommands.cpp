@@ -52,9 +52,7 @@ llvm::Error enableDisplays(Shell &S, StringRef Number, bool IsEnabled) {
   return llvm::Error::success();
 }
 
-namespace {
-
-Expected<char> printFormat(StringRef Letters) {
+static Expected<char> printFormat(StringRef Letters) {
   Expected<FormatLetters> Format = parseFormat(Letters);
   if (!Format)
     return Format.takeError();
@@ -67,7 +65,7 @@ Expected<char> printFormat(StringRef Letters) {
   return Format->Format;
 }
 
-llvm::Error printCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error printCommand(Shell &S, CommandArguments Arguments) {
   Expected<char> Format = printFormat(Arguments.Format);
   if (!Format)
     return Format.takeError();
@@ -90,7 +88,7 @@ llvm::Error printCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error outputCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error outputCommand(Shell &S, CommandArguments Arguments) {
   Expected<char> Format = printFormat(Arguments.Format);
   if (!Format)
     return Format.takeError();
@@ -101,7 +99,7 @@ llvm::Error outputCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error echoCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error echoCommand(Shell &S, CommandArguments Arguments) {
   for (size_t I = 0; I != Arguments.Text.size(); ++I) {
     char C = Arguments.Text[I];
     if (C == '\\' && I + 1 != Arguments.Text.size()) {
@@ -114,7 +112,8 @@ llvm::Error echoCommand(Shell &S, CommandArguments Arguments) {
 }
 
 /// The expression or the type that \p Text names.
-Expected<const Type *> typeOf(Shell &S, StringRef Text, bool &IsTypeName) {
+static Expected<const Type *> typeOf(Shell &S, StringRef Text,
+                                     bool &IsTypeName) {
   Expected<Expression> Parsed = Expression::parse(Text, S.info(), &S.context());
   if (!Parsed)
     return Parsed.takeError();
@@ -131,7 +130,7 @@ Expected<const Type *> typeOf(Shell &S, StringRef Text, bool &IsTypeName) {
   return &Result->type();
 }
 
-llvm::Error whatisCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error whatisCommand(Shell &S, CommandArguments Arguments) {
   bool IsTypeName = false;
   Expected<const Type *> Of = typeOf(S, Arguments.Text, IsTypeName);
   if (!Of)
@@ -140,7 +139,7 @@ llvm::Error whatisCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error ptypeCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error ptypeCommand(Shell &S, CommandArguments Arguments) {
   bool IsTypeName = false;
   Expected<const Type *> Of = typeOf(S, Arguments.Text, IsTypeName);
   if (!Of)
@@ -149,7 +148,7 @@ llvm::Error ptypeCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error displayCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error displayCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty()) {
     S.printDisplays();
     return llvm::Error::success();
@@ -166,15 +165,15 @@ llvm::Error displayCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error undisplayCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error undisplayCommand(Shell &S, CommandArguments Arguments) {
   return undisplay(S, Arguments.Text);
 }
 
-llvm::Error examineCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error examineCommand(Shell &S, CommandArguments Arguments) {
   return examine(S, Arguments.Format, Arguments.Text);
 }
 
-constexpr Command Table[] = {
+static constexpr Command Table[] = {
     {"print", "p inspect call", "[/FORMAT] [EXPRESSION]",
      "Print the value of a C++ expression and keep it as $1, $2, ...\n"
      "FORMAT is one of x d u o t a c f s z.",
@@ -196,8 +195,6 @@ constexpr Command Table[] = {
      "g.\n"
      "Without ADDRESS from where the last one ended.",
      examineCommand, true, CompletionOf::Expressions}};
-
-} // namespace
 
 ArrayRef<Command> dataCommands() { return Table; }
 

@@ -14,10 +14,9 @@
 using namespace llvm;
 
 namespace tp {
-namespace {
 
 /// `0x000100b8 in sum(int) at tree.cpp:44`.
-void printLocation(Shell &S, const CodeLocation &At) {
+static void printLocation(Shell &S, const CodeLocation &At) {
   S.OS << format_hex(At.Address, 10);
   std::optional<uint32_t> Function = At.Function;
   std::vector<InlinedCall> Calls = S.map().callsAt(At.Address);
@@ -30,7 +29,7 @@ void printLocation(Shell &S, const CodeLocation &At) {
   S.OS << '\n';
 }
 
-void printBreakpoint(Shell &S, const Breakpoint &B) {
+static void printBreakpoint(Shell &S, const Breakpoint &B) {
   StringRef Kind = !B.isWatchpoint() ? "breakpoint"
                    : !B.Reads        ? "watchpoint"
                    : B.Writes        ? "acc watchpoint"
@@ -62,7 +61,7 @@ void printBreakpoint(Shell &S, const Breakpoint &B) {
     }
 }
 
-llvm::Error infoBreakpoints(Shell &S, CommandArguments) {
+static llvm::Error infoBreakpoints(Shell &S, CommandArguments) {
   if (S.Program.breakpoints().all().empty()) {
     S.OS << "No breakpoints or watchpoints.\n";
     return llvm::Error::success();
@@ -73,12 +72,12 @@ llvm::Error infoBreakpoints(Shell &S, CommandArguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoThreads(Shell &S, CommandArguments) {
+static llvm::Error infoThreads(Shell &S, CommandArguments) {
   printThreads(S);
   return llvm::Error::success();
 }
 
-llvm::Error infoLocals(Shell &S, CommandArguments) {
+static llvm::Error infoLocals(Shell &S, CommandArguments) {
   std::vector<VariableInfo> Locals = S.info().variables().locals(S.context());
   if (Locals.empty())
     S.OS << "No locals.\n";
@@ -86,7 +85,7 @@ llvm::Error infoLocals(Shell &S, CommandArguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoArguments(Shell &S, CommandArguments) {
+static llvm::Error infoArguments(Shell &S, CommandArguments) {
   std::vector<VariableInfo> Arguments =
       S.info().variables().arguments(S.context());
   if (Arguments.empty())
@@ -95,13 +94,13 @@ llvm::Error infoArguments(Shell &S, CommandArguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoAllVariables(Shell &S, CommandArguments) {
+static llvm::Error infoAllVariables(Shell &S, CommandArguments) {
   printVariables(S, S.info().variables().arguments(S.context()), S.context());
   printVariables(S, S.info().variables().locals(S.context()), S.context());
   return llvm::Error::success();
 }
 
-void printRegister(Shell &S, unsigned Register) {
+static void printRegister(Shell &S, unsigned Register) {
   const RegisterSet &Registers = S.context().Registers;
   S.OS << left_justify(registerName(Register), 8);
   if (!Registers.isKnown(Register)) {
@@ -116,7 +115,7 @@ void printRegister(Shell &S, unsigned Register) {
        << '\n';
 }
 
-llvm::Error infoRegisters(Shell &S, CommandArguments Arguments) {
+static llvm::Error infoRegisters(Shell &S, CommandArguments Arguments) {
   bool IsAll = Arguments.isEmpty();
   auto PrintPc = [&] {
     S.OS << left_justify("pc", 8) << S.map().describeAddress(S.context().Pc)
@@ -149,7 +148,7 @@ llvm::Error infoRegisters(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoFrame(Shell &S, CommandArguments) {
+static llvm::Error infoFrame(Shell &S, CommandArguments) {
   const Frame &At = S.frame();
   S.OS << "Stack level " << S.FrameIndex << ", frame at "
        << format_hex(At.Cfa, 10)
@@ -165,29 +164,28 @@ llvm::Error infoFrame(Shell &S, CommandArguments) {
       S.info().unwinder().caller(At.Context);
   if (!Caller)
     return Caller.takeError();
-  if (*Caller)
-    S.OS << " called from " << S.map().describeAddress((*Caller)->lookupPc())
-         << '\n';
-  else
+  const std::optional<FrameContext> &Outer = *Caller;
+  if (!Outer) {
     S.OS << " outermost frame\n";
-  if (!*Caller)
     return llvm::Error::success();
+  }
+  S.OS << " called from " << S.map().describeAddress(Outer->lookupPc()) << '\n';
   ListSeparator Separator;
   bool HasSaved = false;
   for (unsigned R = 0; R != DwarfRegisters; ++R)
-    if ((*Caller)->SavedAt[R] != At.Context.SavedAt[R]) {
+    if (Outer->SavedAt[R] != At.Context.SavedAt[R]) {
       if (!HasSaved)
         S.OS << " Saved registers:\n  ";
       HasSaved = true;
       S.OS << Separator << registerName(R) << " at "
-           << format_hex((*Caller)->SavedAt[R], 10);
+           << format_hex(Outer->SavedAt[R], 10);
     }
   if (HasSaved)
     S.OS << '\n';
   return llvm::Error::success();
 }
 
-llvm::Error infoLine(Shell &S, CommandArguments Arguments) {
+static llvm::Error infoLine(Shell &S, CommandArguments Arguments) {
   LocationDefaults Defaults = S.locationDefaults();
   Expected<std::vector<CodeLocation>> Found =
       findLocations(Arguments.Text, S.info(), Defaults);
@@ -209,7 +207,7 @@ llvm::Error infoLine(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoSymbol(Shell &S, CommandArguments Arguments) {
+static llvm::Error infoSymbol(Shell &S, CommandArguments Arguments) {
   Expected<uint32_t> Address = S.evaluateAddress(Arguments.Text);
   if (!Address)
     return Address.takeError();
@@ -220,7 +218,7 @@ llvm::Error infoSymbol(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoSource(Shell &S, CommandArguments) {
+static llvm::Error infoSource(Shell &S, CommandArguments) {
   SourcePosition At = S.locationDefaults().Position;
   if (!At.isKnown())
     return createStringError("No current source file.");
@@ -236,13 +234,13 @@ llvm::Error infoSource(Shell &S, CommandArguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoSources(Shell &S, CommandArguments) {
+static llvm::Error infoSources(Shell &S, CommandArguments) {
   for (SourceFileId File = 0; File != S.info().files().size(); ++File)
     S.OS << S.info().files().path(File) << '\n';
   return llvm::Error::success();
 }
 
-llvm::Error infoFunctions(Shell &S, CommandArguments Arguments) {
+static llvm::Error infoFunctions(Shell &S, CommandArguments Arguments) {
   std::vector<std::string> Names;
   for (uint32_t F = 0; F != S.map().functionCount(); ++F) {
     const FunctionInfo &Function = S.map().function(F);
@@ -257,7 +255,7 @@ llvm::Error infoFunctions(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoVariables(Shell &S, CommandArguments Arguments) {
+static llvm::Error infoVariables(Shell &S, CommandArguments Arguments) {
   for (const VariableInfo &Variable : S.info().variables().globals())
     if (StringRef(Variable.Name).contains(Arguments.Text))
       S.OS << (Variable.Of ? Variable.Of->Name : "?") << ' ' << Variable.Name
@@ -265,24 +263,24 @@ llvm::Error infoVariables(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoCheckpoints(Shell &S, CommandArguments) {
+static llvm::Error infoCheckpoints(Shell &S, CommandArguments) {
   CheckpointUse Use = S.Program.replay().checkpoints();
   S.OS << Use.Checkpoints << " checkpoints, " << Use.Bytes << " bytes of "
        << Use.Budget << " (--checkpoint-memory)\n";
   return llvm::Error::success();
 }
 
-llvm::Error infoCycle(Shell &S, CommandArguments) {
+static llvm::Error infoCycle(Shell &S, CommandArguments) {
   printTiming(S);
   return llvm::Error::success();
 }
 
-llvm::Error infoChip(Shell &S, CommandArguments) {
+static llvm::Error infoChip(Shell &S, CommandArguments) {
   printChip(S);
   return llvm::Error::success();
 }
 
-llvm::Error infoDisplay(Shell &S, CommandArguments) {
+static llvm::Error infoDisplay(Shell &S, CommandArguments) {
   if (S.Displays.empty())
     S.OS << "There are no auto-display expressions now.\n";
   for (const Display &Shown : S.Displays)
@@ -292,7 +290,7 @@ llvm::Error infoDisplay(Shell &S, CommandArguments) {
   return llvm::Error::success();
 }
 
-llvm::Error infoProgram(Shell &S, CommandArguments) {
+static llvm::Error infoProgram(Shell &S, CommandArguments) {
   const ChipConfig &Chip = S.Program.chip();
   S.OS << S.Program.options().Run.Program << " on " << Chip.Name << ": "
        << Chip.TmCount << " TMs of " << Chip.TpsPerTm << " TPs, "
@@ -303,7 +301,7 @@ llvm::Error infoProgram(Shell &S, CommandArguments) {
   return llvm::Error::success();
 }
 
-constexpr Command Table[] = {
+static constexpr Command Table[] = {
     {"breakpoints", "b break watchpoints", "",
      "Breakpoints and watchpoints, with how often they were hit.",
      infoBreakpoints},
@@ -335,8 +333,6 @@ constexpr Command Table[] = {
     {"chip", "", "", "The threads by what they do in this cycle.", infoChip},
     {"checkpoints", "", "", "What going back in time costs.", infoCheckpoints},
     {"program", "proc", "", "What is being debugged.", infoProgram}};
-
-} // namespace
 
 ArrayRef<Command> infoCommands() { return Table; }
 

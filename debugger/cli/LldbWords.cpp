@@ -14,6 +14,7 @@
 using namespace llvm;
 
 namespace tp {
+
 namespace {
 
 struct Phrase {
@@ -71,9 +72,11 @@ constexpr Phrase Phrases[] = {{"breakpoint list", "info breakpoints"},
                               {"disassemble -n", "disassemble"},
                               {"disassemble --pc", "x/10i $pc"}};
 
+} // namespace
+
 /// Takes `-x VALUE` or `--xxx VALUE` from \p Text, where \p Names has both.
-std::optional<std::string> takeOption(std::string &Text,
-                                      ArrayRef<StringRef> Names) {
+static std::optional<std::string> takeOption(std::string &Text,
+                                             ArrayRef<StringRef> Names) {
   for (StringRef Name : Names) {
     size_t At = StringRef(Text).find((Name + " ").str());
     if (At == StringRef::npos || (At != 0 && Text[At - 1] != ' '))
@@ -95,13 +98,13 @@ std::optional<std::string> takeOption(std::string &Text,
   return std::nullopt;
 }
 
-llvm::Error checkNothingLeft(StringRef Text, StringRef Of) {
+static llvm::Error checkNothingLeft(StringRef Text, StringRef Of) {
   if (Text.trim().empty())
     return llvm::Error::success();
   return createStringError("unknown option of " + Of + ": " + Text.trim());
 }
 
-Expected<std::string> breakpointSet(StringRef Line) {
+static Expected<std::string> breakpointSet(StringRef Line) {
   std::string Text = Line.str();
   std::optional<std::string> Condition =
       takeOption(Text, {"-c", "--condition"});
@@ -132,7 +135,7 @@ Expected<std::string> breakpointSet(StringRef Line) {
   return Result;
 }
 
-Expected<std::string> memoryRead(StringRef Line) {
+static Expected<std::string> memoryRead(StringRef Line) {
   std::string Text = Line.str();
   std::string Count = takeOption(Text, {"-c", "--count"}).value_or("8");
   std::string Size = takeOption(Text, {"-s", "--size"}).value_or("4");
@@ -153,8 +156,6 @@ Expected<std::string> memoryRead(StringRef Line) {
                          .Default(StringRef(Format).take_front());
   return ("x/" + Count + Letter + Unit + " " + StringRef(Text).trim()).str();
 }
-
-} // namespace
 
 Expected<std::string> fromLldb(StringRef Line) {
   StringRef Text = Line.trim();

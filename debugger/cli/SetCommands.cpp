@@ -12,16 +12,15 @@
 using namespace llvm;
 
 namespace tp {
-namespace {
 
-llvm::Error setVariable(Shell &S, CommandArguments Arguments) {
+static llvm::Error setVariable(Shell &S, CommandArguments Arguments) {
   if (!Arguments.Text.contains('='))
     return createStringError("Argument required (VARIABLE = EXPRESSION).");
   Expected<Value> Result = S.evaluate(Arguments.Text);
   return Result ? llvm::Error::success() : Result.takeError();
 }
 
-llvm::Error setRegister(Shell &S, CommandArguments Arguments) {
+static llvm::Error setRegister(Shell &S, CommandArguments Arguments) {
   Arguments.Text.consume_front("$");
   StringRef Name = Arguments.Text.take_while([](char C) { return isAlnum(C); });
   StringRef Held = Arguments.Text.drop_front(Name.size()).ltrim();
@@ -32,7 +31,7 @@ llvm::Error setRegister(Shell &S, CommandArguments Arguments) {
 }
 
 /// `ADDRESS BYTE...`.
-llvm::Error setMemory(Shell &S, CommandArguments Arguments) {
+static llvm::Error setMemory(Shell &S, CommandArguments Arguments) {
   Expected<uint32_t> Address = S.evaluateAddress(Arguments.takeWord());
   if (!Address)
     return Address.takeError();
@@ -55,7 +54,7 @@ llvm::Error setMemory(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error setListSize(Shell &S, CommandArguments Arguments) {
+static llvm::Error setListSize(Shell &S, CommandArguments Arguments) {
   Expected<uint64_t> Size = parseCount(Arguments.Text, 10);
   if (!Size)
     return Size.takeError();
@@ -63,7 +62,7 @@ llvm::Error setListSize(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error setPrint(Shell &S, CommandArguments Arguments) {
+static llvm::Error setPrint(Shell &S, CommandArguments Arguments) {
   StringRef Name = Arguments.takeWord();
   if (Name == "pretty") {
     if (Arguments.Text != "on" && Arguments.Text != "off" &&
@@ -90,7 +89,7 @@ llvm::Error setPrint(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error setSubstitution(Shell &S, CommandArguments Arguments) {
+static llvm::Error setSubstitution(Shell &S, CommandArguments Arguments) {
   StringRef From = Arguments.takeWord();
   StringRef To = Arguments.takeWord();
   if (From.empty() || To.empty() || !Arguments.isEmpty())
@@ -99,7 +98,7 @@ llvm::Error setSubstitution(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-constexpr Command Table[] = {
+static constexpr Command Table[] = {
     {"variable", "var", "VARIABLE = EXPRESSION", "Change a variable.",
      setVariable, false, CompletionOf::Expressions},
     {"register", "", "REGISTER = EXPRESSION", "Change a register.",
@@ -111,8 +110,6 @@ constexpr Command Table[] = {
     {"substitute-path", "", "FROM TO",
      "Source paths that begin with FROM begin with TO instead.",
      setSubstitution}};
-
-} // namespace
 
 ArrayRef<Command> setCommands() { return Table; }
 

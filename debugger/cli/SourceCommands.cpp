@@ -32,15 +32,13 @@ llvm::Error printLines(Shell &S, SourceFileId File, uint32_t First,
   return llvm::Error::success();
 }
 
-namespace {
-
-llvm::Error listAround(Shell &S, SourcePosition Position) {
+static llvm::Error listAround(Shell &S, SourcePosition Position) {
   uint32_t Before = S.ListSize / 2;
   uint32_t First = Position.Line > Before ? Position.Line - Before : 1;
   return printLines(S, Position.File, First, First + S.ListSize - 1);
 }
 
-llvm::Error listCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error listCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty()) {
     if (!S.Listed.isKnown()) {
       SourcePosition Here = S.locationDefaults().Position;
@@ -96,8 +94,8 @@ llvm::Error listCommand(Shell &S, CommandArguments Arguments) {
 }
 
 /// The lines between which instructions of one range stand.
-llvm::Error printRange(Shell &S, uint32_t Begin, uint32_t End,
-                       bool WithSource) {
+static llvm::Error printRange(Shell &S, uint32_t Begin, uint32_t End,
+                              bool WithSource) {
   SourcePosition Last;
   for (uint64_t At = Begin; At < End; At += 4) {
     auto Pc = uint32_t(At);
@@ -115,7 +113,7 @@ llvm::Error printRange(Shell &S, uint32_t Begin, uint32_t End,
   return llvm::Error::success();
 }
 
-llvm::Error disassembleCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error disassembleCommand(Shell &S, CommandArguments Arguments) {
   bool WithSource = StringRef(Arguments.Format).contains('s');
   if (!Arguments.Format.empty() && Arguments.Format != "s")
     return createStringError("Invalid disassembly modifier: only /s.");
@@ -156,7 +154,7 @@ llvm::Error disassembleCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error directoryCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error directoryCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty())
     return createStringError("Argument required (a folder).");
   S.info().files().addFolder(Arguments.Text);
@@ -164,7 +162,7 @@ llvm::Error directoryCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-constexpr Command Table[] = {
+static constexpr Command Table[] = {
     {"list", "l", "[LINE | FUNCTION | FILE:LINE | FIRST,LAST | -]",
      "Print source lines around a place, or on from the last ones.",
      listCommand, true, CompletionOf::Locations},
@@ -174,8 +172,6 @@ constexpr Command Table[] = {
     {"directory", "dir", "FOLDER",
      "Look for source files in another folder too.", directoryCommand, false,
      CompletionOf::Files}};
-
-} // namespace
 
 ArrayRef<Command> sourceCommands() { return Table; }
 

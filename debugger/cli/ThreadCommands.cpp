@@ -13,17 +13,16 @@
 using namespace llvm;
 
 namespace tp {
-namespace {
 
-llvm::Error threadsCommand(Shell &S, CommandArguments) {
+static llvm::Error threadsCommand(Shell &S, CommandArguments) {
   printThreads(S);
   return llvm::Error::success();
 }
 
 /// `thread apply all|LIST COMMAND` is one command for several threads.
-llvm::Error applyToThreads(Shell &S, CommandArguments Arguments);
+static llvm::Error applyToThreads(Shell &S, CommandArguments Arguments);
 
-llvm::Error threadCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error threadCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty()) {
     S.OS << "[Current thread is " << S.threadName(S.Thread) << "]\n";
     return llvm::Error::success();
@@ -40,7 +39,7 @@ llvm::Error threadCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-llvm::Error applyToThreads(Shell &S, CommandArguments Arguments) {
+static llvm::Error applyToThreads(Shell &S, CommandArguments Arguments) {
   std::vector<uint32_t> Threads;
   for (;;) {
     CommandArguments Ahead = Arguments;
@@ -88,14 +87,14 @@ llvm::Error applyToThreads(Shell &S, CommandArguments Arguments) {
   return Problem;
 }
 
-llvm::Error cycleCommand(Shell &S, CommandArguments) {
+static llvm::Error cycleCommand(Shell &S, CommandArguments) {
   printTiming(S);
   return llvm::Error::success();
 }
 
 /// Bytes of a written place as the thread that wrote sees them.
-std::string bytesAt(Shell &S, uint32_t Thread, uint32_t Address,
-                    uint32_t Bytes) {
+static std::string bytesAt(Shell &S, uint32_t Thread, uint32_t Address,
+                           uint32_t Bytes) {
   std::vector<uint8_t> Held(Bytes);
   if (!S.Program.machine(Thread).Read(Address, Held))
     return "?";
@@ -107,8 +106,8 @@ std::string bytesAt(Shell &S, uint32_t Thread, uint32_t Address,
   return Text;
 }
 
-void printWrite(Shell &S, const WriteRecord &Write, uint32_t Address,
-                uint32_t Bytes) {
+static void printWrite(Shell &S, const WriteRecord &Write, uint32_t Address,
+                       uint32_t Bytes) {
   uint32_t Selected = S.Thread;
   unsigned Frame = S.FrameIndex;
   S.Program.replay().visit(Write.At, [&] {
@@ -134,7 +133,7 @@ void printWrite(Shell &S, const WriteRecord &Write, uint32_t Address,
   S.select(Selected, Frame);
 }
 
-llvm::Error whoWroteCommand(Shell &S, CommandArguments Arguments) {
+static llvm::Error whoWroteCommand(Shell &S, CommandArguments Arguments) {
   if (Arguments.isEmpty())
     return createStringError(
         "Argument required (an expression or an address).");
@@ -151,8 +150,9 @@ llvm::Error whoWroteCommand(Shell &S, CommandArguments Arguments) {
   if (!Named)
     return Named.takeError();
   uint32_t Address, Bytes = 4;
-  if (Named->address() && Named->type().Size != 0) {
-    Address = *Named->address();
+  std::optional<uint32_t> Place = Named->address();
+  if (Place && Named->type().Size != 0) {
+    Address = *Place;
     Bytes = Named->type().Size;
   } else if (Named->registerNumber() || Named->isOptimizedOut()) {
     return createStringError("'" + Text + "' is not in memory here.");
@@ -183,7 +183,7 @@ llvm::Error whoWroteCommand(Shell &S, CommandArguments Arguments) {
   return llvm::Error::success();
 }
 
-constexpr Command Table[] = {
+static constexpr Command Table[] = {
     {"thread", "t", "[N | TM.TP | apply all|N... COMMAND]",
      "Select a thread, by its number or its place in the chip.", threadCommand},
     {"threads", "", "", "Print all threads, those at one place in one line.",
@@ -194,8 +194,6 @@ constexpr Command Table[] = {
     {"who-wrote", "ww", "EXPRESSION|ADDRESS [before CYCLE]",
      "Print who wrote last to an object: thread, cycle, line and stack.",
      whoWroteCommand, false, CompletionOf::Expressions}};
-
-} // namespace
 
 ArrayRef<Command> threadCommands() { return Table; }
 

@@ -15,9 +15,8 @@
 using namespace llvm;
 
 namespace tp::dap {
-namespace {
 
-VariableRow row(std::string Name, std::string Value) {
+static VariableRow row(std::string Name, std::string Value) {
   VariableRow Result;
   Result.Name = std::move(Name);
   Result.Value = std::move(Value);
@@ -26,15 +25,15 @@ VariableRow row(std::string Name, std::string Value) {
 }
 
 /// A row that unfolds into others.
-VariableRow list(std::string Name, std::string Value,
-                 std::vector<VariableRow> Rows) {
+static VariableRow list(std::string Name, std::string Value,
+                        std::vector<VariableRow> Rows) {
   VariableRow Result = row(std::move(Name), std::move(Value));
   if (!Rows.empty())
     Result.Parts = std::make_shared<FixedList>(std::move(Rows));
   return Result;
 }
 
-std::string stateText(const ReplayThread &Thread) {
+static std::string stateText(const ReplayThread &Thread) {
   switch (Thread.State) {
   case ThreadState::Running:
     return "running";
@@ -48,7 +47,7 @@ std::string stateText(const ReplayThread &Thread) {
   llvm_unreachable("unknown state of a thread");
 }
 
-std::string waitText(const ThreadTiming &Timing) {
+static std::string waitText(const ThreadTiming &Timing) {
   if (!Timing.Reason || *Timing.Reason == Loss::Finished)
     return "nothing";
   std::string Text = lossName(*Timing.Reason);
@@ -57,7 +56,7 @@ std::string waitText(const ThreadTiming &Timing) {
   return Text;
 }
 
-VariableRow underWayRow(const RequestUnderWay &Request) {
+static VariableRow underWayRow(const RequestUnderWay &Request) {
   std::string Text(mnemonic(Request.Producer));
   if (Request.FromGlobalMemory)
     Text += Request.IsBeyondL1 ? ", beyond the L1" : ", global memory";
@@ -66,9 +65,11 @@ VariableRow underWayRow(const RequestUnderWay &Request) {
   return row(registerName(Request.Register), std::move(Text));
 }
 
-void addTiming(std::vector<VariableRow> &Rows, const ThreadTiming &Timing) {
+static void addTiming(std::vector<VariableRow> &Rows,
+                      const ThreadTiming &Timing) {
   Rows.push_back(row("waits for", waitText(Timing)));
   std::vector<VariableRow> UnderWay;
+  UnderWay.reserve(Timing.UnderWay.size());
   for (const RequestUnderWay &Request : Timing.UnderWay)
     UnderWay.push_back(underWayRow(Request));
   std::string Count = utostr(UnderWay.size());
@@ -84,8 +85,6 @@ void addTiming(std::vector<VariableRow> &Rows, const ThreadTiming &Timing) {
   }
   Rows.push_back(list("cycles lost", utostr(Sum), std::move(Lost)));
 }
-
-} // namespace
 
 std::shared_ptr<VariableList> chipVariables(const Session &Program,
                                             uint32_t Thread) {

@@ -11,9 +11,12 @@
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/ErrorHandling.h"
 
+#include <cassert>
+
 using namespace llvm;
 
 namespace tp::dap {
+
 namespace {
 
 /// One of the protocol's words, and a sentence if that says more.
@@ -22,9 +25,11 @@ struct Reason {
   std::string Sentence;
 };
 
+} // namespace
+
 /// The protocol's word for the kind of breakpoint that was set.
-StringRef breakpointWord(const SessionStop &Stop,
-                         const BreakpointWords &Words) {
+static StringRef breakpointWord(const SessionStop &Stop,
+                                const BreakpointWords &Words) {
   for (unsigned Number : Stop.Numbers) {
     auto Known = Words.find(Number);
     if (Known != Words.end())
@@ -34,8 +39,8 @@ StringRef breakpointWord(const SessionStop &Stop,
 }
 
 /// The watched bytes as a value of their type, or as bytes.
-std::string watchedText(ArrayRef<uint8_t> Bytes, const SessionStop &Stop,
-                        Session &Program) {
+static std::string watchedText(ArrayRef<uint8_t> Bytes, const SessionStop &Stop,
+                               Session &Program) {
   if (!Stop.WatchedType || Stop.WatchedType->Size != Bytes.size())
     return "0x" + toHex(Bytes, /*LowerCase=*/true);
   FrameContext Frame = Program.context(Stop.Thread);
@@ -43,7 +48,7 @@ std::string watchedText(ArrayRef<uint8_t> Bytes, const SessionStop &Stop,
       tp::Value::computed(*Stop.WatchedType, Bytes), Frame);
 }
 
-Reason watchReason(const SessionStop &Stop, Session &Program) {
+static Reason watchReason(const SessionStop &Stop, Session &Program) {
   std::string Name = "data";
   for (unsigned Number : Stop.Numbers)
     if (const tp::Breakpoint *Hit = Program.breakpoints().find(Number))
@@ -56,8 +61,8 @@ Reason watchReason(const SessionStop &Stop, Session &Program) {
                                  watchedText(Stop.New, Stop, Program)};
 }
 
-Reason reasonOf(const SessionStop &Stop, Session &Program,
-                const BreakpointWords &Words) {
+static Reason reasonOf(const SessionStop &Stop, Session &Program,
+                       const BreakpointWords &Words) {
   switch (Stop.Kind) {
   case SessionStop::Breakpoint:
     return {breakpointWord(Stop, Words), ""};
@@ -71,6 +76,7 @@ Reason reasonOf(const SessionStop &Stop, Session &Program,
     return {"exit",
             "the program has ended with status " + itostr(Stop.ExitStatus)};
   case SessionStop::Trapped:
+    assert(Stop.TrapInfo && "a trap says what it is");
     return {"exception", Stop.TrapInfo->what()};
   case SessionStop::Beginning:
     return {"entry", "before this the program has done nothing"};
@@ -83,8 +89,6 @@ Reason reasonOf(const SessionStop &Stop, Session &Program,
   }
   llvm_unreachable("unknown kind of stop");
 }
-
-} // namespace
 
 json::Object stoppedBody(const SessionStop &Stop, Session &Program,
                          const BreakpointWords &Words) {

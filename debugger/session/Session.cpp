@@ -10,6 +10,8 @@
 #include "simulator/core/LocalStore.h"
 #include "simulator/tools/ChipSelection.h"
 
+#include <cassert>
+
 using namespace llvm;
 
 namespace tp {
@@ -178,6 +180,7 @@ Expected<Breakpoint *> Session::addWatchpoint(StringRef Text, uint32_t Thread,
   if (!New)
     return New;
   (*New)->Text = Text.str();
+  assert((*New)->Watched && "a watchpoint watches something");
   WatchTarget &Target = *(*New)->Watched;
   Target.Of = &Watched->type();
   if (IsLocation || !isLocal(*Address))
@@ -192,9 +195,9 @@ Expected<Breakpoint *> Session::addWatchpoint(StringRef Text, uint32_t Thread,
     consumeError(Caller.takeError());
     return New;
   }
-  if (*Caller) {
+  if (const std::optional<FrameContext> &Outer = *Caller) {
     Target.ScopeCfa = In->Cfa;
-    Target.ScopeReturn = (*Caller)->Pc;
+    Target.ScopeReturn = Outer->Pc;
   }
   return New;
 }

@@ -6,6 +6,8 @@
 
 #include "debugger/session/Session.h"
 
+#include <cassert>
+
 using namespace llvm;
 
 namespace tp {
@@ -46,7 +48,7 @@ Events Session::wantedEvents(Direction Towards) {
   for (const std::unique_ptr<Breakpoint> &B : Table.all()) {
     if (!B->Enabled)
       continue;
-    if (!B->isWatchpoint()) {
+    if (!B->Watched) {
       InstructionEvents &At = Result.Instructions.emplace_back();
       for (const CodeLocation &Location : B->Locations)
         At.Pcs.push_back(Location.Address);
@@ -68,12 +70,13 @@ Events Session::wantedEvents(Direction Towards) {
   if (Towards == Direction::Backward)
     return Result;
   for (const std::unique_ptr<Breakpoint> &B : Table.all()) {
-    if (!B->Enabled || !B->isWatchpoint() || !B->Watched->ScopeCfa)
+    const std::optional<WatchTarget> &Target = B->Watched;
+    if (!B->Enabled || !Target || !Target->ScopeCfa)
       continue;
     InstructionEvents Return;
-    Return.Pcs = {B->Watched->ScopeReturn};
-    Return.Thread = B->Watched->Thread;
-    Return.Wanted = [Cfa = *B->Watched->ScopeCfa](const Probe &At) {
+    Return.Pcs = {Target->ScopeReturn};
+    Return.Thread = Target->Thread;
+    Return.Wanted = [Cfa = *Target->ScopeCfa](const Probe &At) {
       return At.Registers[StackPointerRegister] >= Cfa;
     };
     Result.Instructions.push_back(Return);
@@ -140,6 +143,7 @@ void Session::interpretInstruction(const ReplayStop &At, SessionStop &Result) {
 
 void Session::interpretAccess(const ReplayStop &At, SessionStop &Result) {
   tp::Breakpoint *Watch = Table.find(Watching[At.Event]);
+  assert(Watch && Watch->Watched && "accesses are of watchpoints");
   Result.AccessPc = At.Pc;
   Result.IsWrite = At.IsWrite;
   Result.Old = At.Old;

@@ -9,6 +9,8 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/Endian.h"
 
+#include <cassert>
+
 using namespace llvm;
 
 namespace tp {
@@ -207,8 +209,8 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
         return Stop;
       IsKnown = hasLine(pc());
     }
-    bool IsEntry = Map.functionAt(pc()) &&
-                   Map.function(*Map.functionAt(pc())).Entry == pc();
+    std::optional<uint32_t> Function = Map.functionAt(pc());
+    bool IsEntry = Function && Map.function(*Function).Entry == pc();
     if (IsKnown && (IsEntry || beginsLine(Map, pc())))
       return skipPrologue(std::move(Stop));
     Start = here();
@@ -289,6 +291,7 @@ SessionStop Stepper::step(const StepRequest &Request) {
 SessionStop Stepper::until() { return forward(true, true); }
 
 SessionStop Stepper::leaveInlined(const Frame &Of, Direction Towards) {
+  assert(Of.Function && "what is inlined is a function");
   Place Start;
   Start.Function = Map.functionAt(Of.Context.lookupPc());
   Start.Cfa = Of.Cfa;
@@ -355,7 +358,7 @@ std::optional<Value> Stepper::returned(uint32_t Function,
     return std::nullopt;
   uint8_t Bytes[8];
   for (unsigned I = 0; I != 2; ++I)
-    support::endian::write32le(Bytes + 4 * I,
+    support::endian::write32le(Bytes + size_t(4) * I,
                                Frame.Registers.Values[First + I]);
   uint32_t Size = Plain.isReference() ? 4 : Plain.Size;
   return Value::computed(Of, ArrayRef(Bytes, Size));
@@ -368,13 +371,14 @@ Expected<SessionStop> Stepper::finish(const Frame &Of, Direction Towards) {
       Owner.information().unwinder().caller(Of.Context);
   if (!Caller)
     return Caller.takeError();
-  if (!*Caller)
+  const std::optional<FrameContext> &Outer = *Caller;
+  if (!Outer)
     return createStringError(
         "\"finish\" not meaningful in the outermost frame.");
-  uint32_t StackPointer = (*Caller)->Registers.Values[StackPointerRegister];
+  uint32_t StackPointer = Outer->Registers.Values[StackPointerRegister];
   if (Towards == Direction::Backward)
-    return to((*Caller)->lookupPc(), StackPointer, Towards);
-  SessionStop Stop = to((*Caller)->Pc, StackPointer, Towards);
+    return to(Outer->lookupPc(), StackPointer, Towards);
+  SessionStop Stop = to(Outer->Pc, StackPointer, Towards);
   if (isDone(Stop) && Of.Function)
     Stop.Returned = returned(*Of.Function, StackPointer);
   return Stop;

@@ -21,7 +21,7 @@
 
 namespace llvm {
 class DWARFContext;
-}
+} // namespace llvm
 
 namespace tp {
 

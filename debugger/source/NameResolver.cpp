@@ -151,13 +151,13 @@ Expected<BoundName> NameResolver::bind(StringRef Name,
   const Type *Object = This ? This->Of->stripped().Target : nullptr;
   // In a lambda it is what the lambda holds.
   const Type *Captured = Object ? capturedThis(*Object) : nullptr;
-  if (Captured && Name == "this")
+  if (This && Captured && Name == "this")
     return Use(BoundName::MemberOfThis, *This);
   if (std::optional<VariableInfo> Local = Known.findLocal(Frame, Name))
     return Use(BoundName::Variable, *Local);
-  if (Object && isMemberName(*Object, Name))
+  if (This && Object && isMemberName(*Object, Name))
     return Use(BoundName::MemberOfThis, *This);
-  if (Captured && isMemberName(*Captured, Name))
+  if (This && Captured && isMemberName(*Captured, Name))
     return Use(BoundName::MemberOfCaptured, *This);
   if (std::optional<VariableInfo> Global = Known.findGlobal(Frame, Name))
     return Use(BoundName::Variable, *Global);

@@ -23,7 +23,7 @@
 
 namespace llvm {
 class DWARFContext;
-}
+} // namespace llvm
 
 namespace tp {
 

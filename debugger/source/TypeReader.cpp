@@ -218,9 +218,10 @@ void TypeTable::readMembers(Type &Result, DWARFDie Die) {
     uint32_t Bits = uint32_t(toUnsigned(Child.find(DW_AT_bit_size), 0));
     std::optional<uint64_t> Position = bitPosition(Child, Bits, Part.Of->Size);
     Part.IsVirtualBase = !Position;
-    if (Part.IsVirtualBase)
-      Part.VirtualBaseSlot =
-          virtualBaseSlot(*Child.find(DW_AT_data_member_location));
+    std::optional<DWARFFormValue> Place =
+        Child.find(DW_AT_data_member_location);
+    if (Part.IsVirtualBase && Place)
+      Part.VirtualBaseSlot = virtualBaseSlot(*Place);
     Part.Offset = uint32_t(Position.value_or(0) / 8);
     Part.BitSize = Bits;
     Part.BitOffset = uint32_t(Position.value_or(0) % 8);

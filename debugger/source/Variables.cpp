@@ -218,9 +218,10 @@ Expected<const Type *> Variables::typeOf(const VariableInfo &Variable,
         Locations.number(Child, DW_AT_count, Frame);
     if (!Count)
       return Count.takeError();
-    if (!*Count)
+    const std::optional<int64_t> &Known = *Count;
+    if (!Known)
       return Variable.Of;
-    Counts.push_back(uint32_t(**Count));
+    Counts.push_back(uint32_t(*Known));
   }
   const Type *Result = &Types.typeOf(Plain.Die);
   for (uint32_t Count : reverse(Counts))

@@ -17,6 +17,9 @@ namespace tp {
 template <class Context, Subnormals Mode>
 class ContextFloats : public FloatRules<Mode> {
   using Rules = FloatRules<Mode>;
+  friend Context;
+
+  ContextFloats() = default;
 
 public:
   float operand(float Value) {

@@ -23,8 +23,10 @@ struct StepOperands {
   uint32_t Sources[3];
 };
 
+} // namespace
+
 template <Opcode Op, Subnormals Mode>
-[[gnu::always_inline]] inline void
+[[gnu::always_inline]] static inline void
 step(Thread *T, TmRunnerState *Runner, uint64_t Cycle,
      const StepOperands &Operands, StepResult *Result) {
   using Context = ExecutionContext<Op, Mode>;
@@ -39,8 +41,6 @@ step(Thread *T, TmRunnerState *Runner, uint64_t Cycle,
   Result->TargetWord = C.targetWord();
   Result->Kind = uint8_t(C.outcome());
 }
-
-} // namespace
 
 #define TP_STEP(NAME, MODE)                                                    \
   extern "C" [[gnu::always_inline]] void tp##MODE##NAME(                       \

@@ -9,6 +9,7 @@
 #include "simulator/core/ThreadRequests.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 #include <utility>
 
@@ -121,8 +122,7 @@ CycleReplay::SearchResult CycleReplay::search(const EventMatcher &Matcher,
       Time.search(Collector, From, Limit == NoLimit ? 0 : Limit);
   std::optional<FoundEvent> Found = Collector.found();
   // The rest of a window is run in which an event was found.
-  if (Found && Matcher.kept() == EventMatcher::First &&
-      Run.End == RunResult::Trapped &&
+  if (Found && Matcher.kept() == EventMatcher::First && Run.TrapInfo &&
       momentOf(Run.TrapInfo->Cycle, Run.TrapInfo->Thread) < Found->At)
     Found.reset();
   return {Found, Run};
@@ -142,6 +142,7 @@ ReplayStop CycleReplay::endOf(const RunResult &Result) {
     break;
   }
   case RunResult::Trapped: {
+    assert(Result.TrapInfo && "a trap says what it is");
     Stop.Kind = ReplayStop::Trapped;
     Stop.Thread = Result.TrapInfo->Thread;
     Stop.Pc = Result.TrapInfo->Pc;

@@ -78,7 +78,7 @@ static uint64_t hashOf(StringRef Text) {
 static std::string textOf(const RunIdentity &Identity) {
   std::string Text;
   for (const auto &[Name, Value] : Identity)
-    Text += Name + '\t' + Value + '\n';
+    Text += (Twine(Name) + "\t" + Value + "\n").str();
   return Text;
 }
 

@@ -73,12 +73,13 @@ static RunTasks makeTasks(const Options &Request, const ChipConfig &Chip,
 }
 
 /// Writes the profile's files and table.
-static llvm::Error writeProfile(const Profile &Data, const Options &Request) {
-  if (!Request.Quiet) {
+static llvm::Error writeProfile(const Profile &Data,
+                                const ProfileRequest &Request, bool IsQuiet) {
+  if (!IsQuiet) {
     errs() << '\n';
-    writeProfileTable(Data, Request.Profile->Table, errs());
+    writeProfileTable(Data, Request.Table, errs());
   }
-  return writeProfileFiles(Data, *Request.Profile);
+  return writeProfileFiles(Data, Request);
 }
 
 /// Writes the results of a run that has ended.
@@ -103,8 +104,9 @@ static Expected<int> report(const RunResult &Result, const Options &Request,
   Note(checkSums(Chip, Stats, Run.Opcodes));
   if (!Request.Quiet)
     writeTable(Run, Speed, errs());
-  if (Tasks.Profile)
-    Note(writeProfile(Tasks.Profile->finish(Run), Request));
+  if (Tasks.Profile && Request.Profile)
+    Note(writeProfile(Tasks.Profile->finish(Run), *Request.Profile,
+                      Request.Quiet));
   if (Tasks.Trace)
     Note(Tasks.Trace->finish(Run.Stats));
   explainEnd(Result, Request, Chip, Loaded.Elf, TrapClock::Cycles,
@@ -179,8 +181,8 @@ Expected<int> simulate(const Options &Request, const ChipConfig &Chip) {
         fastForward(Request, Chip, Loaded, Console, Machine);
     if (!End)
       return End.takeError();
-    if (*End)
-      return **End;
+    if (const std::optional<int> &Status = *End)
+      return *Status;
   }
   return runInCycles(Request, Chip, Loaded, Console, Tasks, Machine);
 }

@@ -10,8 +10,6 @@
 
 using namespace tp;
 
-namespace {
-
 static HeapBlock block(uint32_t Begin, uint32_t Bytes) {
   return {Begin, Bytes, {}, std::nullopt};
 }
@@ -65,5 +63,3 @@ TEST(HeapBlocks, Describe) {
   EXPECT_EQ(Block.describe(96),
             "4 bytes before a heap block of 40 bytes that was given back");
 }
-
-} // namespace

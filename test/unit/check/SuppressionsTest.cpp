@@ -14,8 +14,6 @@
 using namespace llvm;
 using tp::Suppressions;
 
-namespace {
-
 /// What a file with \p Text suppresses.
 static Expected<Suppressions> read(StringRef Text) {
   int File;
@@ -76,5 +74,3 @@ TEST(Suppressions, ErrorsNameTheLine) {
   EXPECT_NE(errorOf("\nrace\n").find(":2: expected <checker>:<function>"),
             std::string::npos);
 }
-
-} // namespace

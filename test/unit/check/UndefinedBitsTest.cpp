@@ -58,6 +58,8 @@ private:
   std::mt19937 Random;
 };
 
+} // namespace
+
 static Instruction instruction(uint32_t Immediate, uint32_t Second) {
   Instruction Decoded;
   Decoded.Immediate = int32_t(Immediate);
@@ -123,6 +125,8 @@ TEST(UndefinedBits, OthersMissNothing) {
               Opcode::MOVN, Opcode::MOVZ, Opcode::CLZ>(/*IsExact=*/false);
 }
 
+namespace {
+
 /// Tells what an atomic operation leaves of a word.
 struct AtomicContext {
   template <class Function>
@@ -135,6 +139,8 @@ struct AtomicContext {
   uint32_t Old = 0;
   uint32_t New = 0;
 };
+
+} // namespace
 
 /// The first operand is the word in memory.
 template <Opcode Op> static void compareAtomic(bool IsExact) {
@@ -209,5 +215,3 @@ TEST(UndefinedBits, ConditionsAreExact) {
   compareCondition<Opcode::TLT>(
       [](uint32_t A, uint32_t B) { return int32_t(A) < int32_t(B); });
 }
-
-} // namespace

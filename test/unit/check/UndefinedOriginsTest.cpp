@@ -10,8 +10,6 @@
 
 using namespace tp;
 
-namespace {
-
 static UndefinedOrigin origin(uint32_t Pc, const char *What) {
   return {What, "allocated", {0, Pc, 0}};
 }
@@ -37,5 +35,3 @@ TEST(UndefinedOrigins, TooManyAreNotToldApart) {
   EXPECT_EQ(Origins[Numbers[99]].What, "memory that nobody has written");
   EXPECT_EQ(Origins[Numbers[1]].Place.Pc, 1u);
 }
-
-} // namespace

@@ -13,13 +13,11 @@ using namespace llvm;
 using namespace tp;
 using testing::HasSubstr;
 
-namespace {
-
 /// What --stats writes of two threads and \p Cycles cycles: one instruction on
 /// a line, which waits for data in all other cycles but those that \p Finished
 /// takes. \p More is put into it.
-std::string statistics(unsigned Cycles, unsigned Finished,
-                       const std::string &More = "") {
+static std::string statistics(unsigned Cycles, unsigned Finished,
+                              const std::string &More = "") {
   unsigned Data = 2 * Cycles - 1 - Finished;
   std::string Text = R"json({"format_version": 2, "mode": "cycle",
     "run": {"outcome": "finished", "cycles": $C, "instructions": 1},
@@ -36,19 +34,19 @@ std::string statistics(unsigned Cycles, unsigned Finished,
 }
 
 /// The same by address: all of it at \p File:3.
-std::string byPc(unsigned Data, const std::string &File) {
+static std::string byPc(unsigned Data, const std::string &File) {
   return R"json(, "instructions_by_pc": [{"pc": "0x00010000", "opcode": "add",
     "executed": 1, "function": "f()", "file": ")json" +
          File + R"json(", "line": 3, "lost": {"data": )json" +
          std::to_string(Data) + "}}]";
 }
 
-Expected<ComparedRun> read(const std::string &Text,
-                           const std::string &Path = "run.json") {
+static Expected<ComparedRun> read(const std::string &Text,
+                                  const std::string &Path = "run.json") {
   return readComparedRun(Path, Text);
 }
 
-std::string errorOf(const std::string &Text) {
+static std::string errorOf(const std::string &Text) {
   Expected<ComparedRun> Run = read(Text);
   return Run ? "" : toString(Run.takeError());
 }
@@ -147,5 +145,3 @@ TEST(Comparison, RefusesDifferentModes) {
   EXPECT_THAT(toString(Runs.takeError()),
               HasSubstr("functional.json is of a functional run"));
 }
-
-} // namespace

@@ -21,8 +21,7 @@ static const uint8_t (&sourcesOf(const Instruction &I))[3] { return I.Source; }
 
 ScoreboardModel::ScoreboardModel(const ChipConfig &Chip, const Program &Text,
                                  Memory &Global)
-    : Chip(Chip), Text(Text), Global(Global),
-      Threads(Chip.TmCount * Chip.TpsPerTm),
+    : Chip(Chip), Text(Text), Global(Global), Threads(Chip.threadCount()),
       Hierarchy(makeMemorySystem(this->Chip)) {
   for (uint32_t I = 0; I != Threads.size(); ++I) {
     Threads[I].Number = I;

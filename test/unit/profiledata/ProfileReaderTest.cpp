@@ -12,16 +12,14 @@
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
-std::string textOf(const Profile &Data) {
+static std::string textOf(const Profile &Data) {
   std::string Text;
   llvm::raw_string_ostream OS(Text);
   writeProfile(Data, OS);
   return Text;
 }
 
-std::string errorOf(const std::string &Text) {
+static std::string errorOf(const std::string &Text) {
   llvm::Expected<Profile> Data = parseProfile(Text, "p.json");
   return Data ? "" : toString(Data.takeError());
 }
@@ -67,5 +65,3 @@ TEST(ProfileReader, ErrorsNameThePlace) {
   EXPECT_NE(errorOf(textOf(Data)).find("expected object at profile.statistics"),
             std::string::npos);
 }
-
-} // namespace

@@ -25,12 +25,10 @@ using namespace llvm;
 using namespace tp;
 using namespace tp::test;
 
-namespace {
-
 /// What a line says: names with the values of the visits in turn.
 using Claims = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-std::map<unsigned, Claims> readClaims(const std::string &Path) {
+static std::map<unsigned, Claims> readClaims(const std::string &Path) {
   std::map<unsigned, Claims> Result;
   auto Text = MemoryBuffer::getFile(Path);
   EXPECT_TRUE(bool(Text));
@@ -51,12 +49,16 @@ std::map<unsigned, Claims> readClaims(const std::string &Path) {
   return Result;
 }
 
+namespace {
+
 struct Tally {
   unsigned Right = 0;
   std::set<std::string> Missing;
 };
 
-Tally checkValues(const std::vector<std::string> &Options) {
+} // namespace
+
+static Tally checkValues(const std::vector<std::string> &Options) {
   DebuggedProgram Program("Debug/values.cpp", Options);
   std::map<unsigned, Claims> Lines =
       readClaims(std::string(TP_TESTS) + "/Debug/values.cpp");
@@ -89,8 +91,6 @@ Tally checkValues(const std::vector<std::string> &Options) {
     EXPECT_TRUE(Visits.count(Line)) << "line " << Line << " is not reached";
   return Result;
 }
-
-} // namespace
 
 /// What result() returns is where a register points that calls overwrite: its
 /// caller cannot be sure to have it while probe() runs.
