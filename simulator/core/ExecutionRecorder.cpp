@@ -233,8 +233,12 @@ void ExecutionRecorder::serialize(Archive &A) {
   A(Sum);
   if (!A.isRestoring())
     return;
-  Parts.clear();
-  addPart().Counts = std::move(Sum);
+  // Host threads that have been prepared keep their parts.
+  for (RecorderPart &Part : Parts)
+    Part.Counts = RecordedCounts(Transfers.size());
+  if (Parts.empty())
+    addPart();
+  Parts.front().Counts = std::move(Sum);
 }
 
 } // namespace tp

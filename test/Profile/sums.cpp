@@ -45,7 +45,7 @@
 
 // A run that goes on from a checkpoint has the whole run's profile.
 // RUN: not tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --profile --checkpoint %t.checkpoint --max-cycles 777 --host-threads 2
-// RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --profile=%t.restored.json --restore %t.checkpoint
+// RUN: tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --profile=%t.restored.json --restore %t.checkpoint --host-threads 2
 // RUN: cmp %t.l2.json %t.restored.json
 // RUN: not tpsim --chip trax-32x32 --set tm.count=2 --quiet %t.elf --restore %t.checkpoint 2>&1 | FileCheck %s --check-prefix=RESTORE
 // RESTORE: tpsim: error: {{.*}}.checkpoint: made by another run: its --profile is 'yes', this run's is 'no'; restore it with what it was made with
