@@ -91,7 +91,7 @@ function rateColumns() {
 }
 
 function latencyColumn() {
-  return countColumn("mean latency", latencyOf, "cycles from issue to answer",
+  return countColumn("latency", latencyOf, "cycles from issue to answer",
     (value) => value.toFixed(0));
 }
 
@@ -146,9 +146,9 @@ function memoryView() {
       { title: "line", text: true, value: (row) => placeText(row.frame),
         cell: (row) => el("td.name", {}, placed(row), " ", el("small", {},
           shortName(functionName(profile.frames[row.frame].function)))) },
-      countColumn("global accesses", (row) => row.global,
+      countColumn("accesses", (row) => row.global,
         "the rest of those executed went to the local store"),
-      countColumn("cycles under way", cycles,
+      countColumn("cycles", cycles,
         "from issue to answer; threads need not have waited for all of them"),
       latencyColumn(),
       ...usedLevels().map(({ name, label, meaning }) =>

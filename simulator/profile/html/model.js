@@ -33,12 +33,12 @@ const finishedUse = useIndex.get("finished");
 const levels = [
   ["l1", "L1", "served by the L1"],
   ["l2", "L2", "served by the L2"],
-  ["dram_row_hit", "DRAM row hits", "from DRAM, whose row was open"],
-  ["dram_row_miss", "DRAM row misses", "from DRAM, where no row was open"],
-  ["dram_row_conflict", "DRAM row conflicts",
+  ["dram_row_hit", "row hits", "from DRAM, whose row was open"],
+  ["dram_row_miss", "row misses", "from DRAM, where no row was open"],
+  ["dram_row_conflict", "row conflicts",
     "from DRAM, where another row was open"],
-  ["dram_queue", "DRAM queue",
-    "stores that a channel took, and reads of what it had yet to write"],
+  ["dram_queue", "queue",
+    "by queues of DRAM: stores that a channel took, and reads of what it had yet to write"],
   ["memory", "memory", "served by memory of fixed latency"],
 ].map(([name, label, meaning]) => ({ name, label, meaning }));
 

@@ -158,7 +158,7 @@ async function checkMemory(page) {
     `${rows} accesses to memory instead of ${expected}`);
   const titles = await texts(page, "main .table thead th");
   const column = titles.findIndex((title) =>
-    title.toLowerCase().startsWith("dram row hits"));
+    title.toLowerCase().startsWith("row hits"));
   const most = Math.max(...profile.instructions.map((entry) =>
     entry.served?.dram_row_hit?.accesses ?? 0));
   const cell = page.locator("main .table tbody td").and(
