@@ -52,6 +52,10 @@ uint32_t CallTree::add(const Node &Wanted) {
     IsCut = true;
     return Wanted.Caller;
   }
+  if (EdgeCount == MaxEdges) {
+    IsCut = true;
+    return 0;
+  }
   uint32_t Number = nodeFor(Wanted);
   Edges[EdgeCount] = {Wanted, Number};
   Table[Place].store(++EdgeCount, std::memory_order_release);

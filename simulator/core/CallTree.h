@@ -35,8 +35,8 @@ public:
 
   /// The number of a node, which is new if there was none. Of a function that
   /// is in its caller's chain already it is the node there: recursion is one
-  /// node. If there are too many nodes it is that of the caller, and isCut()
-  /// from then on.
+  /// node. If there are too many nodes it is that of the caller, or the
+  /// first one, and isCut() from then on.
   uint32_t numberOf(const Node &Wanted);
   const Node &node(uint32_t Number) const { return Nodes[Number]; }
   /// When no host thread asks.
