@@ -82,8 +82,11 @@ public:
   /// Brings the next free accesses into the host's cache.
   void prefetch() const {
     __builtin_prefetch(Free.data(), 1);
-    for (uint32_t I = 0; I != 8; I += 2)
-      __builtin_prefetch(Accesses.data() + FirstFree + I, 1);
+    for (uintptr_t I = 0; I != 8; I += 2)
+      __builtin_prefetch(
+          reinterpret_cast<const void *>(uintptr_t(Accesses.data()) +
+                                         (FirstFree + I) * sizeof(Accesses[0])),
+          1);
   }
 
   void serialize(Archive &A) {

@@ -57,9 +57,10 @@ public:
   /// Brings what the next calls write into the host's cache.
   void prefetch() const {
     for (const std::vector<T> *Buffer : {&Sorted, &Added})
-      for (size_t Offset = 0; Offset != 256; Offset += 64)
+      for (uintptr_t Offset = 0; Offset != 256; Offset += 64)
         __builtin_prefetch(
-            reinterpret_cast<const char *>(Buffer->data()) + Offset, 1);
+            reinterpret_cast<const void *>(uintptr_t(Buffer->data()) + Offset),
+            1);
   }
 
   void serialize(Archive &A) {
