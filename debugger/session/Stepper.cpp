@@ -145,14 +145,36 @@ SessionStop Stepper::returnFromCallee() {
             Now.Registers.Values[StackPointerRegister], Direction::Forward);
 }
 
+std::optional<FrameContext> Stepper::caller() const {
+  return valueOr(Owner.information().unwinder().caller(Owner.context(Thread)),
+                 std::optional<FrameContext>());
+}
+
+std::optional<uint32_t> Stepper::callSite() const {
+  std::optional<FrameContext> Caller = caller();
+  return Caller ? std::optional(Caller->lookupPc()) : std::nullopt;
+}
+
 SessionStop Stepper::backToCall() {
-  FrameContext Now = Owner.context(Thread);
-  const Unwinder &Frames = Owner.information().unwinder();
-  auto Caller = valueOr(Frames.caller(Now), std::optional<FrameContext>());
+  std::optional<FrameContext> Caller = caller();
   if (!Caller)
     return oneInstruction(Direction::Backward);
   return to(Caller->lookupPc(), Caller->Registers.Values[StackPointerRegister],
             Direction::Backward);
+}
+
+bool Stepper::isOnLine(uint32_t Pc, const SourcePosition &Wanted) const {
+  const LineRange *Line = Map.lineAt(Pc);
+  return Line &&
+         (!Line->Position.isKnown() || (Line->Position.File == Wanted.File &&
+                                        Line->Position.Line == Wanted.Line));
+}
+
+bool Stepper::isInPrologue(const Place &At) const {
+  if (!At.Function)
+    return false;
+  const FunctionInfo &In = Map.function(*At.Function);
+  return At.Context.Pc >= In.Entry && At.Context.Pc <= In.Body;
 }
 
 SessionStop Stepper::skipPrologue(SessionStop Stop) {
@@ -228,6 +250,8 @@ SessionStop Stepper::backward(bool OverCalls) {
     if (!isDone(Stop))
       return Stop;
   }
+  // From the beginning of a function it goes on to the call.
+  bool IsPrologue = isInPrologue(Start) && relationTo(Start) == Relation::Same;
   Place Target = here();
   std::vector<AddressRange> Ranges = rangesOf(Target);
   std::vector<AddressRange> Inside = Ranges;
@@ -235,39 +259,33 @@ SessionStop Stepper::backward(bool OverCalls) {
     Stop = leave(Inside, Direction::Backward);
     if (!isDone(Stop))
       return Stop;
-    Relation Where = relationTo(Target);
-    if (Where == Relation::Callee) {
-      if (OverCalls || !hasLine(pc())) {
-        Stop = backToCall();
-        if (!isDone(Stop))
-          return Stop;
-        if (contains(Ranges, pc())) {
-          Inside = Ranges;
-          continue;
-        }
-        Where = Relation::Same;
-      } else {
-        Target = here();
-        Inside = Ranges = rangesOf(Target);
-        continue;
-      }
-    }
-    const LineRange *Line = Map.lineAt(pc());
-    bool IsKnown = Line && Line->Position.isKnown();
-    bool IsSameLine = IsKnown && Line->Position.File == Target.Line.File &&
-                      Line->Position.Line == Target.Line.Line;
-    if (Where == Relation::Same && (!IsKnown || IsSameLine) && Line) {
-      Inside = Ranges;
-      Inside.push_back({Line->Begin, Line->End});
-      continue;
-    }
-    if (Where == Relation::Other && IsKnown) {
+    const Relation Where = relationTo(Target);
+    const bool IsOutside = Where == Relation::Other && IsPrologue;
+    if (IsOutside && !hasLine(pc()))
+      return Stop;
+    if (IsOutside ||
+        (Where == Relation::Callee && !OverCalls && hasLine(pc()))) {
+      IsPrologue = false;
       Target = here();
       Inside = Ranges = rangesOf(Target);
       continue;
     }
+    std::optional<uint32_t> At;
+    if (Where == Relation::Same)
+      At = pc();
+    else if (Where == Relation::Callee)
+      At = callSite();
     // The beginning of the line is behind the last instruction of another.
-    return Owner.moveByOne(Thread);
+    if (!At || !(contains(Ranges, *At) || isOnLine(*At, Target.Line)))
+      return skipPrologue(Owner.moveByOne(Thread));
+    if (Where == Relation::Callee) {
+      Stop = backToCall();
+      if (!isDone(Stop))
+        return Stop;
+    }
+    Inside = Ranges;
+    if (const LineRange *Line = Map.lineAt(*At))
+      Inside.push_back({Line->Begin, Line->End});
   }
 }
 

@@ -48,6 +48,13 @@ private:
   bool hasLine(uint32_t Pc) const;
   std::vector<AddressRange> rangesOf(const Place &Of) const;
   bool isInlinedCallee(const Place &Of) const;
+  std::optional<FrameContext> caller() const;
+  /// The call that the thread's function will return behind.
+  std::optional<uint32_t> callSite() const;
+  /// Whether an instruction is of the line, or of none.
+  bool isOnLine(uint32_t Pc, const SourcePosition &Wanted) const;
+  /// Before the first statement of its function, or at it.
+  bool isInPrologue(const Place &At) const;
 
   SessionStop run(Direction Towards, InstructionEvents Until);
   SessionStop oneInstruction(Direction Towards);

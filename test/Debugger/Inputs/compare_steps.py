@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Executes the same script in gdb, on a program of the host, and in tpdbg, and
-compares the lines of the source that both show.
+compares the lines of the source that both show. gdb records the run, in order
+to go back.
 
 usage: compare_steps.py <script> <host program> <tpdbg command...>
 """
 
+import pathlib
 import re
 import subprocess
 import sys
@@ -21,11 +23,19 @@ def source_lines(command):
     return [match.group(1) for match in matches if match]
 
 
+def lines_in_gdb(script, program):
+    """Those of a run that is recorded from its first stop on."""
+    commands = ["set debuginfod enabled off"]
+    for line in pathlib.Path(script).read_text(encoding="utf-8").splitlines():
+        commands += [line, "record"] if line == "run" else [line]
+    return source_lines(
+        ["gdb", "-q", "-nx", "--batch", program]
+        + [word for line in commands for word in ("-ex", line)])
+
+
 def main():
     script, program, tpdbg = sys.argv[1], sys.argv[2], sys.argv[3:]
-    expected = source_lines(
-        ["gdb", "-q", "-nx", "--batch", "-ex", "set debuginfod enabled off",
-         "-x", script, program])
+    expected = lines_in_gdb(script, program)
     found = source_lines(tpdbg + ["--batch", "-x", script])
     if len(expected) < 20:
         sys.exit(f"gdb shows only {len(expected)} lines")
