@@ -179,9 +179,10 @@ Expected<Breakpoint *> Session::addWatchpoint(StringRef Text, uint32_t Thread,
       addWatchpoint(*Address, Watched->type().Size, Thread, Reads, Writes);
   if (!New)
     return New;
-  (*New)->Text = Text.str();
-  assert((*New)->Watched && "a watchpoint watches something");
-  WatchTarget &Target = *(*New)->Watched;
+  tp::Breakpoint &Added = **New;
+  Added.Text = Text.str();
+  assert(Added.Watched && "a watchpoint watches something");
+  WatchTarget &Target = *Added.Watched;
   Target.Of = &Watched->type();
   if (IsLocation || !isLocal(*Address))
     return New;
