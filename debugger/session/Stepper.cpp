@@ -163,13 +163,6 @@ SessionStop Stepper::backToCall() {
             Direction::Backward);
 }
 
-bool Stepper::isOnLine(uint32_t Pc, const SourcePosition &Wanted) const {
-  const LineRange *Line = Map.lineAt(Pc);
-  return Line &&
-         (!Line->Position.isKnown() || (Line->Position.File == Wanted.File &&
-                                        Line->Position.Line == Wanted.Line));
-}
-
 bool Stepper::isInPrologue(const Place &At) const {
   if (!At.Function)
     return false;
@@ -240,13 +233,28 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
   }
 }
 
+static bool isSameLine(const SourcePosition &A, const SourcePosition &B) {
+  return A.File == B.File && A.Line == B.Line;
+}
+
 SessionStop Stepper::backward(bool OverCalls) {
   Place Start = here();
   SessionStop Stop = oneInstruction(Direction::Backward);
   if (!isDone(Stop))
     return Stop;
-  if (relationTo(Start) == Relation::Callee && (OverCalls || !hasLine(pc()))) {
-    Stop = backToCall();
+  // Parts of the function that are of no line are passed.
+  for (;;) {
+    if (relationTo(Start) == Relation::Callee &&
+        (OverCalls || !hasLine(pc()))) {
+      Stop = backToCall();
+      if (!isDone(Stop))
+        return Stop;
+    }
+    const LineRange *Line = Map.lineAt(pc());
+    if (!Line || Line->Position.isKnown() ||
+        relationTo(Start) != Relation::Same)
+      break;
+    Stop = leave({{Line->Begin, Line->End}}, Direction::Backward);
     if (!isDone(Stop))
       return Stop;
   }
@@ -255,6 +263,9 @@ SessionStop Stepper::backward(bool OverCalls) {
   Place Target = here();
   std::vector<AddressRange> Ranges = rangesOf(Target);
   std::vector<AddressRange> Inside = Ranges;
+  // An instruction of no line before the line's: of the line if what comes
+  // before is.
+  std::optional<Moment> BeforeLine;
   for (;;) {
     Stop = leave(Inside, Direction::Backward);
     if (!isDone(Stop))
@@ -268,6 +279,7 @@ SessionStop Stepper::backward(bool OverCalls) {
       IsPrologue = false;
       Target = here();
       Inside = Ranges = rangesOf(Target);
+      BeforeLine.reset();
       continue;
     }
     std::optional<uint32_t> At;
@@ -275,16 +287,28 @@ SessionStop Stepper::backward(bool OverCalls) {
       At = pc();
     else if (Where == Relation::Callee)
       At = callSite();
+    const LineRange *Line = At ? Map.lineAt(*At) : nullptr;
+    const bool IsOfTarget =
+        At && (contains(Ranges, *At) ||
+               (Line && isSameLine(Line->Position, Target.Line)));
+    const bool IsOfNoLine = Line && !Line->Position.isKnown();
     // The beginning of the line is behind the last instruction of another.
-    if (!At || !(contains(Ranges, *At) || isOnLine(*At, Target.Line)))
+    if (!IsOfTarget && !IsOfNoLine) {
+      if (BeforeLine)
+        Owner.replay().goTo(*BeforeLine);
       return skipPrologue(Owner.moveByOne(Thread));
+    }
+    if (IsOfTarget)
+      BeforeLine.reset();
+    else if (!BeforeLine)
+      BeforeLine = Owner.replay().now();
     if (Where == Relation::Callee) {
       Stop = backToCall();
       if (!isDone(Stop))
         return Stop;
     }
-    Inside = Ranges;
-    if (const LineRange *Line = Map.lineAt(*At))
+    Inside = IsOfTarget ? Ranges : std::vector<AddressRange>();
+    if (Line)
       Inside.push_back({Line->Begin, Line->End});
   }
 }

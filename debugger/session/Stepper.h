@@ -51,8 +51,6 @@ private:
   std::optional<FrameContext> caller() const;
   /// The call that the thread's function will return behind.
   std::optional<uint32_t> callSite() const;
-  /// Whether an instruction is of the line, or of none.
-  bool isOnLine(uint32_t Pc, const SourcePosition &Wanted) const;
   /// Before the first statement of its function, or at it.
   bool isInPrologue(const Place &At) const;
 
