@@ -41,6 +41,10 @@ static bool isDone(const SessionStop &Stop) {
 Stepper::Stepper(Session &Owner, uint32_t Thread)
     : Owner(Owner), Map(Owner.information().map()), Thread(Thread) {}
 
+static bool isSameLine(const SourcePosition &A, const SourcePosition &B) {
+  return A.File == B.File && A.Line == B.Line;
+}
+
 uint32_t Stepper::pc() const { return Owner.replay().thread(Thread).Pc; }
 
 bool Stepper::hasLine(uint32_t Pc) const {
@@ -76,6 +80,33 @@ Stepper::Relation Stepper::relationTo(const Place &Of) {
       valueOr(Frames.cfa(*Caller), 0u) == Of.Cfa)
     return Relation::Callee;
   return Relation::Other;
+}
+
+std::optional<SourcePosition> Stepper::lineIn(uint32_t Pc,
+                                              uint32_t Function) const {
+  for (const InlinedCall &Call : Map.callsAt(Pc))
+    if (Call.Function == Function)
+      return Call.Position;
+  return std::nullopt;
+}
+
+std::vector<AddressRange>
+Stepper::rangesOf(const Place &Of, std::optional<uint32_t> Level) const {
+  std::vector<AddressRange> Ranges = rangesOf(Of);
+  if (!Level || !Of.Function || !Of.Line.isKnown())
+    return Ranges;
+  const FunctionInfo &In = Map.function(*Of.Function);
+  for (const AddressRange &Part : In.Ranges)
+    for (uint32_t Pc = Part.Begin; Pc < Part.End; Pc += 4) {
+      std::optional<SourcePosition> Line = lineIn(Pc, *Level);
+      if (Pc == In.Entry || !Line || !isSameLine(*Line, Of.Line))
+        continue;
+      if (!Ranges.empty() && Ranges.back().End == Pc)
+        Ranges.back().End += 4;
+      else
+        Ranges.push_back({Pc, Pc + 4});
+    }
+  return Ranges;
 }
 
 std::vector<AddressRange> Stepper::rangesOf(const Place &Of) const {
@@ -233,10 +264,6 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
   }
 }
 
-static bool isSameLine(const SourcePosition &A, const SourcePosition &B) {
-  return A.File == B.File && A.Line == B.Line;
-}
-
 SessionStop Stepper::backward(bool OverCalls) {
   Place Start = here();
   SessionStop Stop = oneInstruction(Direction::Backward);
@@ -261,7 +288,13 @@ SessionStop Stepper::backward(bool OverCalls) {
   // From the beginning of a function it goes on to the call.
   bool IsPrologue = isInPrologue(Start) && relationTo(Start) == Relation::Same;
   Place Target = here();
-  std::vector<AddressRange> Ranges = rangesOf(Target);
+  // What was inlined into this function is passed like a call.
+  std::optional<uint32_t> Level;
+  if (OverCalls)
+    Level = isInlinedCallee(Start) ? Start.innermost() : Target.innermost();
+  if (Level)
+    Target.Line = lineIn(pc(), *Level).value_or(Target.Line);
+  std::vector<AddressRange> Ranges = rangesOf(Target, Level);
   std::vector<AddressRange> Inside = Ranges;
   // An instruction of no line before the line's: of the line if what comes
   // before is.
@@ -278,7 +311,9 @@ SessionStop Stepper::backward(bool OverCalls) {
         (Where == Relation::Callee && !OverCalls && hasLine(pc()))) {
       IsPrologue = false;
       Target = here();
-      Inside = Ranges = rangesOf(Target);
+      if (OverCalls)
+        Level = Target.innermost();
+      Inside = Ranges = rangesOf(Target, Level);
       BeforeLine.reset();
       continue;
     }

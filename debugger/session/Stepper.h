@@ -34,6 +34,10 @@ private:
     /// The innermost function there, if it is inlined.
     std::optional<uint32_t> Inlined;
     SourcePosition Line;
+
+    std::optional<uint32_t> innermost() const {
+      return Inlined ? Inlined : Function;
+    }
   };
   /// How another place of the thread lies to one.
   enum class Relation { Same, Callee, Other };
@@ -46,7 +50,13 @@ private:
   Place here();
   Relation relationTo(const Place &Of);
   bool hasLine(uint32_t Pc) const;
+  /// The place in the function, which is inlined there or the outermost, that
+  /// an instruction is of.
+  std::optional<SourcePosition> lineIn(uint32_t Pc, uint32_t Function) const;
   std::vector<AddressRange> rangesOf(const Place &Of) const;
+  /// With what is inlined into the function \p Level at that line.
+  std::vector<AddressRange> rangesOf(const Place &Of,
+                                     std::optional<uint32_t> Level) const;
   bool isInlinedCallee(const Place &Of) const;
   std::optional<FrameContext> caller() const;
   /// The call that the thread's function will return behind.
