@@ -128,11 +128,11 @@ std::vector<AddressRange> Stepper::rangesOf(const Place &Of) const {
 }
 
 bool Stepper::isInlinedCallee(const Place &Of) const {
-  uint32_t Innermost = Of.Inlined ? *Of.Inlined : Of.Function.value_or(-1);
+  std::optional<uint32_t> Innermost = Of.innermost();
   std::vector<InlinedCall> Calls = Map.callsAt(pc());
   return !Calls.empty() &&
          any_of(drop_begin(Calls), [&](const InlinedCall &Call) {
-           return Call.Function == Innermost;
+           return Innermost == Call.Function;
          });
 }
 
@@ -235,8 +235,7 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
     const LineRange *Line = Map.lineAt(pc());
     bool IsKnown = Line && Line->Position.isKnown();
     if (Where == Relation::Same) {
-      bool IsNew = IsKnown && !(Line->Position.File == Start.Line.File &&
-                                Line->Position.Line == Start.Line.Line);
+      bool IsNew = IsKnown && !isSameLine(Line->Position, Start.Line);
       if (IsNew && Line->IsStatement && beginsLine(Map, pc()) &&
           !(OverCalls && isInlinedCallee(Start)))
         return Stop;
@@ -264,13 +263,9 @@ SessionStop Stepper::forward(bool OverCalls, bool NotBack) {
   }
 }
 
-SessionStop Stepper::backward(bool OverCalls) {
-  Place Start = here();
+SessionStop Stepper::toLineBefore(const Place &Start, bool OverCalls) {
   SessionStop Stop = oneInstruction(Direction::Backward);
-  if (!isDone(Stop))
-    return Stop;
-  // Parts of the function that are of no line are passed.
-  for (;;) {
+  while (isDone(Stop)) {
     if (relationTo(Start) == Relation::Callee &&
         (OverCalls || !hasLine(pc()))) {
       Stop = backToCall();
@@ -280,11 +275,17 @@ SessionStop Stepper::backward(bool OverCalls) {
     const LineRange *Line = Map.lineAt(pc());
     if (!Line || Line->Position.isKnown() ||
         relationTo(Start) != Relation::Same)
-      break;
-    Stop = leave({{Line->Begin, Line->End}}, Direction::Backward);
-    if (!isDone(Stop))
       return Stop;
+    Stop = leave({{Line->Begin, Line->End}}, Direction::Backward);
   }
+  return Stop;
+}
+
+SessionStop Stepper::backward(bool OverCalls) {
+  Place Start = here();
+  SessionStop Stop = toLineBefore(Start, OverCalls);
+  if (!isDone(Stop))
+    return Stop;
   // From the beginning of a function it goes on to the call.
   bool IsPrologue = isInPrologue(Start) && relationTo(Start) == Relation::Same;
   Place Target = here();

@@ -35,6 +35,7 @@ private:
     std::optional<uint32_t> Inlined;
     SourcePosition Line;
 
+    /// Inlined, or else Function.
     std::optional<uint32_t> innermost() const {
       return Inlined ? Inlined : Function;
     }
@@ -71,6 +72,9 @@ private:
                  Direction Towards);
   SessionStop forward(bool OverCalls, bool NotBack);
   SessionStop backward(bool OverCalls);
+  /// To the last instruction before \p Start that is of a line, or in another
+  /// function.
+  SessionStop toLineBefore(const Place &Start, bool OverCalls);
   /// From a function's first instruction to behind its call.
   SessionStop returnFromCallee();
   /// From within a function to before its call.
