@@ -4,6 +4,7 @@
 //
 //===----------------------------------------------------------------------===//
 
+#include "simulator/core/BufferArchive.h"
 #include "test/unit/core/Simulation.h"
 
 #include "gtest/gtest.h"
@@ -218,4 +219,44 @@ TEST(Recorder, GlobalAccessesOfFixedLatency) {
   EXPECT_EQ(Record.Pcs[3].Global, 0u);
   EXPECT_EQ(Record.Pcs[4].Global, 0u);
   EXPECT_EQ(S.statistics().GlobalAccesses, 4u);
+}
+
+TEST(Recorder, RestoringKeepsThePartsOfHostThreads) {
+  const ChipConfig Chip = quietChip(2, 1);
+  Assembly A;
+  A("halt", 0);
+  const Program Text(TextBegin, A.words(), TextBegin);
+  const AnsweredRequest Answer{0, 0, 10, 30, ServedBy::L2};
+  SavingArchive Saved;
+  ExecutionRecorder Before(Chip, Text, {0});
+  Before.addPart().served(Answer);
+  Before.addPart().served(Answer);
+  Before.serialize(Saved);
+
+  ExecutionRecorder After(Chip, Text, {0});
+  RecorderPart &First = After.addPart();
+  RecorderPart &Second = After.addPart();
+  First.served(Answer);
+  RestoringArchive Restored(Saved.collected());
+  After.serialize(Restored);
+  EXPECT_TRUE(Restored.isComplete());
+  First.served(Answer);
+  Second.served(Answer);
+  Statistics Now;
+  Now.Pcs.resize(1);
+  const ServedAccesses Sum =
+      After.record(Now).Pcs[0].Served[unsigned(ServedBy::L2)];
+  EXPECT_EQ(Sum.Accesses, 4u);
+  EXPECT_EQ(Sum.Cycles, 80u);
+}
+
+TEST(CallTree, IsBounded) {
+  CallTree Tree;
+  constexpr uint32_t Many = 100000;
+  for (uint32_t Function = 0; Function != Many; ++Function)
+    Tree.numberOf({CallTree::NoNode, 0, Function});
+  EXPECT_TRUE(Tree.isCut());
+  EXPECT_LT(Tree.size(), Many);
+  const uint32_t Last = Tree.numberOf({CallTree::NoNode, 0, Many - 1});
+  EXPECT_LT(Last, Tree.size());
 }
